@@ -1,6 +1,7 @@
 #include "castor/actors/runtime/keeper.hpp"
 
 #include "castor/base/log.hpp"
+#include "castor/wm/store/entry_table.hpp"
 
 #include <caf/atom.hpp>
 
@@ -8,13 +9,17 @@
 
 #include <utility>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace castor {
 
 namespace {
 
 using TickAtom = caf::atom_constant<caf::atom("tick")>;
 
-constexpr std::chrono::milliseconds period{250};
+constexpr std::chrono::milliseconds period{1000 / DeletionWatch::checks_per_second};
 constexpr std::chrono::seconds patience{5};
 
 /// Renews what one component holds, and tells it what it has lost.
@@ -39,6 +44,12 @@ void renew_leases(caf::event_based_actor* self, const KeeperParts& parts,
   }
 }
 
+void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 } // namespace
 
 BudgetWatch::BudgetWatch(std::vector<std::shared_ptr<const ComponentRecord>> components) {
@@ -58,12 +69,26 @@ std::vector<Overrun> BudgetWatch::check(ComponentRecord::Clock::time_point now) 
   return result;
 }
 
+bool DeletionWatch::check(std::uint64_t deletions) {
+  if (!given_back_at_)
+    given_back_at_ = second_began_at_ = deletions;
+  if (++checks_ < checks_per_second)
+    return false;
+  checks_ = 0;
+  const auto in_second = deletions - std::exchange(second_began_at_, deletions);
+  if (in_second >= few || deletions - *given_back_at_ < many)
+    return false;
+  given_back_at_ = deletions;
+  return true;
+}
+
 caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts) {
   auto watch = std::make_shared<BudgetWatch>(std::vector<std::shared_ptr<const ComponentRecord>>(
     parts.components.begin(), parts.components.end()));
+  auto deletions = std::make_shared<DeletionWatch>();
   self->delayed_send(self, period, TickAtom::value);
   return {
-    [self, watch, parts = std::move(parts)](TickAtom) {
+    [self, watch, deletions, parts = std::move(parts)](TickAtom) {
       auto now = self->clock().now();
       for (auto& x : watch->check(now)) {
         log_runtime(
@@ -78,6 +103,8 @@ caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts) {
       for (auto& x : parts.components)
         if (BudgetWatch::is_responsive(*x, now))
           renew_leases(self, parts, x);
+      if (deletions->check(EntryTable::deletions()))
+        give_back_memory();
       self->delayed_send(self, period, TickAtom::value);
     },
   };

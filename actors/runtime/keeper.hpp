@@ -4,9 +4,11 @@
 #include "castor/wm/memory/working_memory_protocol.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,26 @@ private:
   std::vector<Watched> watched_;
 };
 
+/// Says when to give memory of deleted entries back to the system, which the allocator keeps for
+/// entries to come: after many deletions, once there are few for a second. It takes a while, and
+/// whoever wants memory waits meanwhile.
+class DeletionWatch {
+public:
+  /// To be called at even intervals, `checks_per_second` times a second, with the number of
+  /// deletions so far; true if memory is to be given back now.
+  bool check(std::uint64_t deletions);
+
+  static constexpr int checks_per_second = 4;
+  /// So many deletions are many, and fewer in a second are few.
+  static constexpr std::uint64_t many = 10'000;
+  static constexpr std::uint64_t few = 1'000;
+
+private:
+  std::optional<std::uint64_t> given_back_at_;
+  std::uint64_t second_began_at_ = 0;
+  int checks_ = 0;
+};
+
 struct KeeperParts {
   std::vector<std::shared_ptr<ComponentRecord>> components;
   /// By subarchitecture.
@@ -48,7 +70,7 @@ struct KeeperParts {
 };
 
 /// The keeper of one process: renews the leases of its components while they return from their own
-/// code within their budget, and reports those that do not.
+/// code within their budget, reports those that do not, and gives memory back to the system.
 caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts);
 
 } // namespace castor

@@ -50,7 +50,6 @@ void EntryStore::restore(const StoreImage& image, Timestamp now, UnixTime time) 
     auto& id = x.entry->address.id;
     auto& table = types_[x.entry->type_name()];
     table.type = x.entry->value.type_ptr();
-    table.recency.push_front(x.entry);
     auto time_to_live = x.entry->life.time_to_live;
     auto ephemeral = x.entry->life.ephemeral;
     bool may_end = time_to_live.count() > 0 || ephemeral;
@@ -59,7 +58,7 @@ void EntryStore::restore(const StoreImage& image, Timestamp now, UnixTime time) 
       lifetimes_.add(id, time_to_live, nullptr, now - std::max(Timestamp{0}, time - x.time));
     if (ephemeral)
       lifetimes_.orphan(id, now);
-    entries_->insert(id, {x.entry, x.sequence, table.recency.begin(), may_end});
+    table.recency.add(entries_->insert(x.entry, x.sequence, may_end));
   }
   for (auto& [id, version] : image.deleted)
     tombstones_.add(id, version, image.sequence);
@@ -190,24 +189,23 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
       if (!table.type)
         table.type = entry->value.type_ptr();
       tombstones_.erase(id);
-      table.recency.push_front(entry);
       auto time_to_live = entry->life.time_to_live;
       bool may_end = time_to_live.count() > 0 || effect.owner || effect.last_will;
       if (may_end)
         lifetimes_.add(id, time_to_live, std::move(effect.owner), now);
       if (effect.last_will)
         lifetimes_.set_will(id, std::move(effect.testator), *std::move(effect.last_will));
-      entries_->insert(id, {entry, sequence_, table.recency.begin(), may_end});
+      table.recency.add(entries_->insert(entry, sequence_, may_end));
       break;
     }
     case Operation::overwrite: {
       auto time_to_live = entry->life.time_to_live;
       bool may_end = false;
       entries_->change(id, [&](EntryTable::Slot& slot) {
-        *slot.position = entry;
-        table.recency.splice(table.recency.begin(), table.recency, slot.position);
+        table.recency.remove(slot);
+        table.recency.add(slot);
         slot.entry = entry;
-        slot.written = sequence_;
+        slot.set_written(sequence_);
         slot.may_end = slot.may_end || time_to_live.count() > 0 || effect.last_will;
         may_end = slot.may_end;
       });
@@ -220,10 +218,11 @@ std::shared_ptr<ChangeEvent> EntryStore::commit(Effect effect, Timestamp now) {
       break;
     }
     case Operation::remove: {
-      auto* slot = entries_->find(id);
-      table.recency.erase(slot->position);
-      if (slot->may_end)
-        lifetimes_.erase(id);
+      entries_->change(id, [&](EntryTable::Slot& slot) {
+        table.recency.remove(slot);
+        if (slot.may_end)
+          lifetimes_.erase(id);
+      });
       tombstones_.add(id, entry->version, sequence_);
       entries_->erase(id);
       break;
@@ -273,38 +272,33 @@ Outcome<EntryPtr> EntryStore::read(const std::string& id) const {
 }
 
 std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
-  // The lists of the types asked for, merged by the time of the last write.
+  // The slots of the types asked for, merged by the time of the last write.
   struct Cursor {
-    std::uint64_t written;
-    Recency::const_iterator at;
-    const Recency* list;
+    const EntrySlot* at;
     std::shared_ptr<const BoundPredicate> predicate;
-    bool operator<(const Cursor& other) const { return written < other.written; }
+    bool operator<(const Cursor& other) const { return at->written < other.at->written; }
   };
   std::priority_queue<Cursor> cursors;
   auto push = [&](Cursor cursor) {
-    while (cursor.at != cursor.list->end() && !cursor.predicate->matches((*cursor.at)->value))
-      ++cursor.at;
-    if (cursor.at == cursor.list->end())
-      return;
-    cursor.written = entries_->find((*cursor.at)->address.id)->written;
-    cursors.push(std::move(cursor));
+    while (cursor.at && !cursor.predicate->matches(cursor.at->entry->value))
+      cursor.at = cursor.at->older;
+    if (cursor.at)
+      cursors.push(std::move(cursor));
   };
   for (auto& [name, table] : types_) {
     bool wanted = query.type.empty() || name == query.type ||
                   (query.with_derived && table.type->is_a(query.type));
-    if (!wanted || table.recency.empty())
+    if (!wanted || !table.recency.newest())
       continue;
     if (auto bound = BoundPredicate::try_bind(query.predicate.tree(), *table.type))
-      push({0, table.recency.begin(), &table.recency,
-            std::make_shared<const BoundPredicate>(*std::move(bound))});
+      push({table.recency.newest(), std::make_shared<const BoundPredicate>(*std::move(bound))});
   }
   std::vector<EntryPtr> result;
   while (!cursors.empty() && (query.count == 0 || result.size() < query.count)) {
     auto next = cursors.top();
     cursors.pop();
-    result.push_back(*next.at);
-    ++next.at;
+    result.push_back(next.at->entry);
+    next.at = next.at->older;
     push(std::move(next));
   }
   return result;
@@ -313,7 +307,7 @@ std::vector<EntryPtr> EntryStore::read_by_type(const TypeQuery& query) const {
 std::map<std::string, std::uint64_t> EntryStore::counts_by_type() const {
   std::map<std::string, std::uint64_t> result;
   for (auto& [name, table] : types_)
-    if (!table.recency.empty())
+    if (table.recency.size() > 0)
       result[name] = table.recency.size();
   return result;
 }

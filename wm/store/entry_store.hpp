@@ -118,8 +118,6 @@ public:
   std::uint64_t sequence() const { return sequence_; }
 
 private:
-  using Recency = EntryTable::Recency;
-
   struct TypeTable {
     TypeDescriptorPtr type;
     Recency recency;

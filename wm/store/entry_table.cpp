@@ -7,10 +7,10 @@ EntryPtr EntryTable::read_in_time(const std::string& id) const {
   {
     auto& part = part_of(id);
     std::lock_guard guard{part.lock};
-    auto i = part.slots.find(id);
-    if (i == part.slots.end() || i->second.may_end || i->second.is_excluded)
+    auto i = part.slots.find(std::string_view{id});
+    if (i == part.slots.end() || i->may_end || i->is_excluded)
       return nullptr;
-    result = i->second.entry;
+    result = i->entry;
   }
   // If it is of an atomic write, all of that write is there once the table is not held.
   bool must_ask =
@@ -18,29 +18,36 @@ EntryPtr EntryTable::read_in_time(const std::string& id) const {
   return must_ask ? nullptr : result;
 }
 
-void EntryTable::insert(const std::string& id, Slot slot) {
-  auto& part = part_of(id);
+EntryTable::Slot& EntryTable::insert(EntryPtr entry, std::uint64_t written, bool may_end) {
+  auto& part = part_of(entry->address.id);
   std::lock_guard guard{part.lock};
-  part.slots.emplace(id, std::move(slot));
   ++size_;
+  Slot slot;
+  slot.entry = std::move(entry);
+  slot.set_written(written);
+  slot.may_end = may_end;
+  return const_cast<Slot&>(*part.slots.insert(slot).first);
 }
 
 void EntryTable::erase(const std::string& id) {
   auto& part = part_of(id);
   // Freed without the lock.
-  std::unordered_map<std::string, Slot>::node_type node;
+  Slots::node_type node;
   std::lock_guard guard{part.lock};
-  node = part.slots.extract(id);
+  if (auto i = part.slots.find(std::string_view{id}); i != part.slots.end())
+    node = part.slots.extract(i);
   size_ -= node.empty() ? 0 : 1;
+  deletions_.fetch_add(1, std::memory_order_relaxed);
 }
 
 void EntryTable::clear() {
   close();
   for (auto& part : parts_) {
-    std::unordered_map<std::string, Slot> slots;
+    Slots slots;
     std::lock_guard guard{part.lock};
     slots.swap(part.slots);
   }
+  deletions_.fetch_add(size_, std::memory_order_relaxed);
   size_ = 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include "castor/wm/entries/entry.hpp"
 #include "castor/wm/store/read_counts.hpp"
+#include "castor/wm/store/recency.hpp"
 #include "castor/wm/store/spin_lock.hpp"
 
 #include <array>
@@ -9,11 +10,10 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <list>
 #include <mutex>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace castor {
@@ -31,19 +31,7 @@ class EntryTable {
 public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// Most recently written first.
-  using Recency = std::list<EntryPtr>;
-
-  struct Slot {
-    EntryPtr entry;
-    /// Number of its last write.
-    std::uint64_t written = 0;
-    Recency::iterator position;
-    /// Whether it may end by itself.
-    bool may_end = false;
-    /// Whether somebody has a lease that keeps others from reading it.
-    bool is_excluded = false;
-  };
+  using Slot = EntrySlot;
 
   EntryTable() = default;
   EntryTable(const EntryTable&) = delete;
@@ -64,6 +52,9 @@ public:
   /// Counts of the entries that were read in this way; for any thread.
   ReadCounts& counts() const { return counts_; }
 
+  /// Entries that have been deleted in this process so far, in all tables; for any thread.
+  static std::uint64_t deletions() { return deletions_.load(std::memory_order_relaxed); }
+
   /// Nobody reads here any more; for any thread. The owner may still be at work.
   void close() { is_closed_.store(true, std::memory_order_release); }
 
@@ -72,21 +63,21 @@ public:
   /// Null if there is none.
   const Slot* find(const std::string& id) const {
     auto& slots = part_of(id).slots;
-    auto i = slots.find(id);
-    return i == slots.end() ? nullptr : &i->second;
+    auto i = slots.find(std::string_view{id});
+    return i == slots.end() ? nullptr : &*i;
   }
 
   std::size_t size() const { return size_; }
 
-  /// The id must be new.
-  void insert(const std::string& id, Slot slot);
+  /// The entry's id must be new. Returns its slot, which stays where it is until it is erased.
+  Slot& insert(EntryPtr entry, std::uint64_t written, bool may_end = false);
 
-  /// Calls `f` with the slot of an id that must be there.
+  /// Calls `f` with the slot of an id that must be there; what it puts there must have the id, too.
   template <class F>
   void change(const std::string& id, F&& f) {
     auto& part = part_of(id);
     std::lock_guard guard{part.lock};
-    f(part.slots.at(id));
+    f(slot_in(part, id));
   }
 
   /// The id must be there.
@@ -103,20 +94,48 @@ public:
   void clear();
 
 private:
+  /// Slots are found by the ids of their entries, of which there is so only one copy.
+  struct IdHash {
+    using is_transparent = void;
+
+    // Not noexcept, so that the table keeps the hash and need not look at the entry for it.
+    std::size_t operator()(std::string_view id) const { return std::hash<std::string_view>{}(id); }
+    std::size_t operator()(const Slot& x) const { return operator()(x.entry->address.id); }
+  };
+
+  struct SameId {
+    using is_transparent = void;
+
+    bool operator()(const Slot& a, const Slot& b) const {
+      return a.entry->address.id == b.entry->address.id;
+    }
+    bool operator()(std::string_view id, const Slot& x) const { return id == x.entry->address.id; }
+    bool operator()(const Slot& x, std::string_view id) const { return id == x.entry->address.id; }
+  };
+
+  using Slots = std::unordered_set<Slot, IdHash, SameId>;
+
   struct alignas(64) Part {
     mutable SpinLock lock;
-    std::unordered_map<std::string, Slot> slots;
+    Slots slots;
   };
   static constexpr std::size_t part_count = 64;
   static constexpr auto never = Time::max().time_since_epoch().count();
 
   EntryPtr read_in_time(const std::string& id) const;
 
+  /// A set has its elements const, since it does not know that the id stays.
+  static Slot& slot_in(Part& part, std::string_view id) {
+    return const_cast<Slot&>(*part.slots.find(id));
+  }
+
   const Part& part_of(std::string_view id) const {
     // Not the low bits, by which each part orders its own ids.
     return parts_[(std::hash<std::string_view>{}(id) >> 48) % part_count];
   }
   Part& part_of(std::string_view id) { return const_cast<Part&>(std::as_const(*this).part_of(id)); }
+
+  static inline std::atomic<std::uint64_t> deletions_{0};
 
   std::array<Part, part_count> parts_;
   std::atomic<bool> is_closed_{false};

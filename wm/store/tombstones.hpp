@@ -6,9 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <list>
+#include <memory>
+#include <memory_resource>
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 namespace castor {
 
@@ -28,7 +31,11 @@ public:
 
   /// The tables have pointers into one another, so tombstones can be moved but not copied.
   Tombstones(Tombstones&&) = default;
-  Tombstones& operator=(Tombstones&&) = default;
+  Tombstones& operator=(Tombstones&& x) noexcept {
+    // Tables are freed in the memory that they were made in.
+    std::destroy_at(this);
+    return *std::construct_at(this, std::move(x));
+  }
 
   /// The entry was deleted. Returns the tombstone that is removed to make room, if any.
   std::optional<Tombstone> add(const std::string& id, Version version, std::uint64_t sequence);
@@ -69,7 +76,7 @@ public:
   }
 
 private:
-  using List = std::list<Tombstone>;
+  using List = std::pmr::list<Tombstone>;
 
   Version current_version(const Tombstone& x) const {
     return version_in_incarnation(x.version, x.sequence, first_number_);
@@ -79,9 +86,13 @@ private:
   Version floor_;
   /// First number of the present incarnation.
   std::uint64_t first_number_ = 0;
+  /// What remains of deleted entries does not lie between them, so that their memory can be given
+  /// back.
+  std::unique_ptr<std::pmr::memory_resource> memory_ =
+    std::make_unique<std::pmr::unsynchronized_pool_resource>();
   /// The oldest deletion first.
-  List tombstones_;
-  std::unordered_map<std::string, List::iterator> by_id_;
+  List tombstones_{memory_.get()};
+  std::pmr::unordered_map<std::string, List::iterator> by_id_{memory_.get()};
 };
 
 } // namespace castor

@@ -40,7 +40,9 @@ TypeDescriptorPtr DescriptorBuilder::finish(std::vector<std::string> super_types
   if (auto complaint = ambiguity(result_); !complaint.empty())
     throw std::logic_error(complaint);
   result_.hash = descriptor_hash(encode_descriptor(result_));
-  auto result = std::make_shared<const TypeDescriptor>(std::move(result_));
+  // It is there as long as the process, so copies of the pointer need not be counted: every value,
+  // entry and event has one, and threads would contend for the counter.
+  TypeDescriptorPtr result{TypeDescriptorPtr{}, new TypeDescriptor(std::move(result_))};
   make_own_type_known(result);
   return result;
 }

@@ -74,17 +74,20 @@ private:
 
 } // namespace
 
-Value::Value(TypeDescriptorPtr type, std::shared_ptr<const void> object,
-             const Operations* operations)
-  : rep_(std::make_shared<Rep>()) {
-  rep_->type = std::move(type);
-  rep_->object = std::move(object);
-  rep_->operations = operations;
+Value::OtherForms& Value::other_forms() const {
+  auto* there = rep_->forms.load(std::memory_order_acquire);
+  if (there)
+    return *there;
+  auto mine = std::make_unique<OtherForms>();
+  if (rep_->forms.compare_exchange_strong(there, mine.get(), std::memory_order_acq_rel))
+    return *mine.release();
+  return *there;
 }
 
 Value Value::from_bytes(TypeDescriptorPtr type, Bytes bytes) {
-  Value result{std::move(type), nullptr, nullptr};
-  result.rep_->bytes = std::move(bytes);
+  Value result{std::make_shared<Rep>()};
+  result.rep_->type = std::move(type);
+  result.other_forms().bytes = std::move(bytes);
   return result;
 }
 
@@ -98,26 +101,26 @@ Value Value::from_foreign_bytes(TypeDescriptorPtr type, Bytes bytes) {
 }
 
 const Bytes& Value::bytes() const {
+  auto& forms = other_forms();
   if (rep_->operations)
-    std::call_once(rep_->encode_once,
-                   [this] { rep_->bytes = rep_->operations->encode(rep_->object.get()); });
-  return rep_->bytes;
+    std::call_once(forms.encode_once,
+                   [&] { forms.bytes = rep_->operations->encode(rep_->object); });
+  return forms.bytes;
 }
 
 std::size_t Value::encoded_size() const {
-  return rep_->operations ? rep_->operations->encoded_size(rep_->object.get()) : rep_->bytes.size();
+  return rep_->operations ? rep_->operations->encoded_size(rep_->object) : bytes().size();
 }
 
 FieldValue Value::field(const FieldPath& path) const {
   if (!rep_->operations)
-    return read_field(type(), rep_->bytes, path);
+    return read_field(type(), bytes(), path);
   auto found = part(path);
   return found.data ? found.operations->read(found.data) : FieldValue{};
 }
 
 bool Value::has_field(const FieldPath& path) const {
-  return rep_->operations ? part(path).data != nullptr
-                          : castor::has_field(type(), rep_->bytes, path);
+  return rep_->operations ? part(path).data != nullptr : castor::has_field(type(), bytes(), path);
 }
 
 FieldMask changed_fields(const Value& before, const Value& after) {
@@ -126,7 +129,7 @@ FieldMask changed_fields(const Value& before, const Value& after) {
   if (a.type->hash != b.type->hash || a.type->name() != b.type->name())
     return all_fields(*b.type);
   if (a.operations && a.operations == b.operations)
-    return a.object == b.object ? 0 : a.operations->differ(a.object.get(), b.object.get());
+    return a.object == b.object ? 0 : a.operations->differ(a.object, b.object);
   return changed_fields(*b.type, before.bytes(), after.bytes());
 }
 

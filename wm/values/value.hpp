@@ -8,6 +8,7 @@
 #include "castor/wm/values/object_access.hpp"
 #include "castor/wm/values/wire_equality.hpp"
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -20,8 +21,9 @@ namespace castor {
 /// The content of an entry: immutable, shared, of any reflected type.
 ///
 /// Copies share one object, so within a process a value is never copied deeply and never changes.
-/// It is encoded once, on the first access to its bytes; a value that arrived as bytes is decoded
-/// once, on the first access to its C++ type. Thread-safe.
+/// The object and what the value knows of it are one piece of memory. It is encoded once, on the
+/// first access to its bytes; a value that arrived as bytes is decoded once, on the first access to
+/// its C++ type. Thread-safe.
 class Value {
 public:
   /// An empty value: only `has_value()` may be called.
@@ -29,7 +31,11 @@ public:
 
   template <ReflectedRecord T>
   static Value of(T x) {
-    return Value{descriptor_of<T>(), std::make_shared<const T>(std::move(x)), type_operations<T>()};
+    auto rep = std::make_shared<ObjectRep<T>>(std::move(x));
+    rep->type = descriptor_of<T>();
+    rep->object = &rep->value;
+    rep->operations = type_operations<T>();
+    return Value{std::move(rep)};
   }
 
   /// A value from its wire form; the process need not have its C++ type.
@@ -64,8 +70,8 @@ public:
     if (!type().is_a(wanted.name()))
       return nullptr;
     if (rep_->operations)
-      if (auto* object = rep_->operations->upcast(rep_->object.get(), typeid(T)))
-        return {rep_->object, static_cast<const T*>(object)};
+      if (auto* object = rep_->operations->upcast(rep_->object, typeid(T)))
+        return {rep_, static_cast<const T*>(object)};
     return decoded<T>(wanted);
   }
 
@@ -88,11 +94,8 @@ private:
     const ObjectOperations* parts;
   };
 
-  struct Rep {
-    TypeDescriptorPtr type;
-    /// The object and its operations; null for a value that came as bytes.
-    std::shared_ptr<const void> object;
-    const Operations* operations = nullptr;
+  /// The other forms of a value, which few values have.
+  struct OtherForms {
     std::once_flag encode_once;
     Bytes bytes;
     /// Objects decoded from `bytes`: of the type itself or its bases, each at most once.
@@ -100,7 +103,30 @@ private:
     std::vector<std::pair<const std::type_info*, std::shared_ptr<const void>>> decoded;
   };
 
-  Value(TypeDescriptorPtr type, std::shared_ptr<const void> object, const Operations* operations);
+  struct Rep {
+    Rep() = default;
+    Rep(const Rep&) = delete;
+    Rep& operator=(const Rep&) = delete;
+    ~Rep() { delete forms.load(std::memory_order_acquire); }
+
+    TypeDescriptorPtr type;
+    /// The object and its operations; null for a value that came as bytes.
+    const void* object = nullptr;
+    const Operations* operations = nullptr;
+    /// Null until somebody wants one of them.
+    std::atomic<OtherForms*> forms{nullptr};
+  };
+
+  template <class T>
+  struct ObjectRep : Rep {
+    explicit ObjectRep(T x) : value(std::move(x)) {}
+
+    const T value;
+  };
+
+  explicit Value(std::shared_ptr<Rep> rep) : rep_(std::move(rep)) {}
+
+  OtherForms& other_forms() const;
 
   template <ReflectedRecord T>
   static const void* upcast(const void* object, const std::type_info& wanted) {
@@ -127,7 +153,7 @@ private:
   }
 
   ObjectPart part(const FieldPath& path) const {
-    return find_part({rep_->object.get(), rep_->operations->parts}, path);
+    return find_part({rep_->object, rep_->operations->parts}, path);
   }
 
   /// Throws DecodeError if this process has a different type with the name of the value's type or
@@ -136,8 +162,9 @@ private:
 
   template <ReflectedRecord T>
   std::shared_ptr<const T> decoded(const TypeDescriptor& wanted) const {
-    std::lock_guard guard{rep_->decode_mutex};
-    for (auto& [type, object] : rep_->decoded)
+    auto& forms = other_forms();
+    std::lock_guard guard{forms.decode_mutex};
+    for (auto& [type, object] : forms.decoded)
       if (*type == typeid(T))
         return std::static_pointer_cast<const T>(object);
     check_same_layout(wanted);
@@ -148,7 +175,7 @@ private:
     if (type().name() == wanted.name())
       in.expect_end();
     auto result = std::make_shared<const T>(std::move(object));
-    rep_->decoded.emplace_back(&typeid(T), result);
+    forms.decoded.emplace_back(&typeid(T), result);
     return result;
   }
 

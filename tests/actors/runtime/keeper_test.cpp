@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace castor {
 
@@ -52,6 +54,35 @@ TEST_F(Budgets, AnOperationCountsAsAPause) {
   component->enter_user_code(start + 4s);
   EXPECT_TRUE(watch.check(start + 8s).empty());
   EXPECT_EQ(component->busy_for(start + 8s), 8s) << "though it was busy all the while";
+}
+
+/// Seconds, each with so many deletions, after which memory was given back.
+std::vector<int> given_back(const std::vector<std::uint64_t>& deletions) {
+  DeletionWatch watch;
+  std::vector<int> result;
+  std::uint64_t all = 7'000'000;
+  watch.check(all);
+  for (std::size_t i = 0; i < deletions.size(); ++i) {
+    all += deletions[i];
+    for (int j = 0; j < DeletionWatch::checks_per_second; ++j)
+      if (watch.check(all))
+        result.push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
+TEST(DeletionWatch, MemoryIsGivenBackOnceAfterManyDeletions) {
+  EXPECT_EQ(given_back({50'000, 50'000, 0, 0, 0}), std::vector<int>{2});
+  EXPECT_EQ(given_back({50'000, 900, 900}), std::vector<int>{1}) << "few are as good as none";
+}
+
+TEST(DeletionWatch, FewDeletionsAreNotWorthIt) {
+  EXPECT_EQ(given_back({5'000, 0, 0, 0}), std::vector<int>{});
+  EXPECT_EQ(given_back({6'000, 0, 6'000, 0, 0}), std::vector<int>{3}) << "but count";
+}
+
+TEST(DeletionWatch, EntriesThatComeAndGoKeepTheirMemory) {
+  EXPECT_EQ(given_back(std::vector<std::uint64_t>(100, 20'000)), std::vector<int>{});
 }
 
 } // namespace

@@ -59,8 +59,8 @@ castor_mutant(reads_pass_locks wm/leases/lease_table.cpp
   TO "return true;")
 
 castor_mutant(entries_are_read_here_in_spite_of_locks wm/store/entry_table.cpp
-  FROM "i->second.may_end || i->second.is_excluded"
-  TO "i->second.may_end")
+  FROM "i->may_end || i->is_excluded"
+  TO "i->may_end")
 
 castor_mutant(reads_here_miss_ends_of_leases wm/memory/working_memory_shell.cpp
   FROM "next < never ? epoch_ + (next - clock_jump_) : EntryTable::Time::max()"

@@ -38,7 +38,7 @@ EntryPtr read(const EntryTable& table, const std::string& id) {
 TEST(EntryTable, OthersReadWhatTheOwnerInserted) {
   EntryTable table;
   EXPECT_FALSE(read(table, "x"));
-  table.insert("x", {entry("x", 3), 1, {}});
+  table.insert(entry("x", 3), 1);
   EXPECT_EQ(table.size(), 1u);
   ASSERT_TRUE(read(table, "x"));
   EXPECT_EQ(read(table, "x")->version, 3u);
@@ -53,9 +53,9 @@ TEST(EntryTable, OthersReadWhatTheOwnerInserted) {
 
 TEST(EntryTable, OthersAskWhereTheAnswerMayDiffer) {
   EntryTable table;
-  table.insert("mortal", {entry("mortal", 0), 1, {}, true});
+  table.insert(entry("mortal", 0), 1, true);
   EXPECT_FALSE(read(table, "mortal")) << "may be due";
-  table.insert("x", {entry("x", 0), 1, {}});
+  table.insert(entry("x", 0), 1);
   table.change("x", [](EntryTable::Slot& slot) { slot.is_excluded = true; });
   EXPECT_FALSE(read(table, "x")) << "leased";
   table.change("x", [](EntryTable::Slot& slot) { slot.is_excluded = false; });
@@ -75,7 +75,7 @@ TEST(EntryTable, OthersAskWhereTheAnswerMayDiffer) {
 
 TEST(EntryTable, TheClockIsNotAskedWithoutLeases) {
   EntryTable table;
-  table.insert("x", {entry("x", 0), 1, {}});
+  table.insert(entry("x", 0), 1);
   EXPECT_TRUE(table.read("x", []() -> EntryTable::Time {
     ADD_FAILURE();
     return {};
@@ -86,8 +86,8 @@ TEST(EntryTable, TheClockIsNotAskedWithoutLeases) {
 TEST(EntryTable, ThreadsSeeAtomicWritesWholeAndNothingOlderThanWasAnswered) {
   EntryTable table;
   constexpr Version last = 20'000;
-  table.insert("x", {entry("x", 0), 1, {}});
-  table.insert("y", {entry("y", 0), 1, {}});
+  table.insert(entry("x", 0), 1);
+  table.insert(entry("y", 0), 1);
   std::atomic<Version> answered{0};
   std::atomic<std::size_t> seen{0};
   std::atomic<bool> done{false};
@@ -122,7 +122,7 @@ TEST(EntryTable, ThreadsSeeAtomicWritesWholeAndNothingOlderThanWasAnswered) {
     if (table.find(other))
       table.erase(other);
     else
-      table.insert(other, {entry(other, version), version, {}});
+      table.insert(entry(other, version), version);
   }
   done = true;
   for (auto& x : readers)
