@@ -153,6 +153,10 @@ function(castor_executable target)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE ${ARG_DEPENDS} castor_build_options)
+  # Vision loads its codecs, but does not link them.
+  if("castor::vision" IN_LIST ARG_DEPENDS)
+    add_dependencies(${target} castor_image_codecs)
+  endif()
 endfunction()
 
 # castor_test(<name> SOURCES <file>... [DEPENDS <target>...] [CORE | DETERMINISTIC] [TIMEOUT <seconds>])

@@ -12,10 +12,8 @@
 #include <system_error>
 #include <vector>
 
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
-
 #include "castor/base/input_file.hpp"
+#include "castor/perception/vision/camera/image_codecs.hpp"
 #include "castor/perception/vision/camera/image_source_probe.hpp"
 
 namespace castor::vision {
@@ -94,23 +92,11 @@ void check_header(const std::filesystem::path& path, const std::vector<std::uint
 Image read_image(const std::filesystem::path& path, const ImageLimits& limits) {
   const auto bytes = read_bytes(path, limits);
   check_header(path, bytes, limits);
-  cv::Mat pixels;
-  try {
-    pixels = cv::imdecode(bytes, cv::IMREAD_COLOR);
-  } catch (const cv::Exception&) {
-    pixels.release();
-  }
-  if (pixels.empty() || pixels.type() != CV_8UC3)
+  auto image = image_codecs().decode(bytes);
+  if (image.bytes.empty())
     throw ImageSourceError(ImageFault::truncated, path.string(),
                            "the picture is damaged and cannot be decoded",
                            "Open it in a picture viewer and save it again, as PNG or JPEG.");
-  Image image;
-  image.width = static_cast<std::uint32_t>(pixels.cols);
-  image.height = static_cast<std::uint32_t>(pixels.rows);
-  image.channels = 3;
-  image.bytes.reserve(pixels.total() * 3);
-  for (int row = 0; row < pixels.rows; ++row)
-    image.bytes.insert(image.bytes.end(), pixels.ptr(row), pixels.ptr(row) + 3 * pixels.cols);
   return image;
 }
 
@@ -120,15 +106,14 @@ void write_png(const std::filesystem::path& path, const Image& image) {
     throw std::invalid_argument(
       "write_png: the picture must have 1 or 3 channels and as many bytes "
       "as its width, height and channels say");
-  const cv::Mat pixels(static_cast<int>(image.height), static_cast<int>(image.width),
-                       image.channels == 1 ? CV_8UC1 : CV_8UC3,
-                       const_cast<std::uint8_t*>(image.bytes.data()));
   std::vector<std::uint8_t> bytes;
   try {
-    cv::imencode(".png", pixels, bytes);
-  } catch (const cv::Exception& error) {
+    bytes = image_codecs().encode_png(image);
+  } catch (const ImageSourceError&) {
+    throw;
+  } catch (const std::runtime_error& e) {
     throw ImageSourceError(ImageFault::unwritable, path.string(),
-                           "the picture cannot be encoded (" + error.err + ")",
+                           std::string{"the picture cannot be encoded ("} + e.what() + ")",
                            "PNG allows for sides of up to 1000000 pixels.");
   }
   // Written beside and then renamed: nobody ever reads half a picture.

@@ -14,13 +14,6 @@ std::unique_ptr<ImageSource> open_still(const std::filesystem::path& path,
 std::unique_ptr<ImageSource> open_folder(const std::filesystem::path& path,
                                          const ImageSourceOptions& options);
 
-std::unique_ptr<ImageSource> open_video(const std::filesystem::path& path,
-                                        const ImageSourceOptions& options);
-
-/// The device need not exist.
-std::unique_ptr<ImageSource> open_device(const std::filesystem::path& path,
-                                         const ImageSourceOptions& options);
-
 std::unique_ptr<ImageSource> open_scene(const std::filesystem::path& path,
                                         const ImageSourceOptions& options);
 

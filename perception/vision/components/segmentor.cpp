@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,8 @@ class Segmentor final : public LooksAtScene<ManagedComponent> {
     segmentation_.max_area = max_area_;
     segmentation_.working_side = working_side_;
     segmentation_.max_border = max_border_;
+    // While the camera and others begin.
+    preparation_ = std::jthread(prepare_segmentation);
     if (!background_->empty())
       learn_background();
   }
@@ -285,6 +288,7 @@ class Segmentor final : public LooksAtScene<ManagedComponent> {
   SegmentationOptions segmentation_;
   SizeLimits limits_;
   std::optional<BackgroundModel> background_model_;
+  std::jthread preparation_;
   TaskId task_;
 };
 

@@ -175,6 +175,12 @@ std::vector<Segment> segment_close_up(const Image& image, SegmentationOptions op
 
 } // namespace
 
+void prepare_segmentation() {
+  const cv::Mat pixel(1, 1, CV_32FC3, cv::Scalar::all(0.5));
+  cv::Mat lab;
+  cv::cvtColor(pixel, lab, cv::COLOR_BGR2Lab);
+}
+
 std::vector<Segment> segment(const Image& image, const SegmentationOptions& options,
                              const BackgroundModel* background) {
   const WorkingPicture picture = make_working_picture(image, options);

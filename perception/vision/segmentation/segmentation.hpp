@@ -17,6 +17,10 @@ struct Segment {
   std::vector<Point2> contour;
 };
 
+/// Calculates what the first call of `segment` would otherwise: tables of colours, which take as
+/// long as some ten pictures.
+void prepare_segmentation();
+
 /// Finds the segments of an image, from the top down.
 ///
 /// Contrast divides the image into areas (a watershed, then joining across weak boundaries). The

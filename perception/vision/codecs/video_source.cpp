@@ -1,3 +1,5 @@
+#include "castor/perception/vision/codecs/video_source.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
