@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -177,6 +178,29 @@ double badness(const std::optional<Fit>& fit, double radius) {
   return std::log(100 * deviation + floor);
 }
 
+/// What models are fitted to.
+struct Outline {
+  Stand stand;
+  /// Of the disc of the region's area, pixels.
+  double radius = 0;
+  Support support;
+};
+
+/// Nothing if the region's foot is not on the visible table.
+std::optional<Outline> outline_of(const ROI& roi, const Camera& camera) {
+  const auto extent = extent_on_table(camera, roi.contour, false);
+  const int pixels = cv::countNonZero(as_mat(roi.mask));
+  if (!extent || !(extent->size.x > 0) || pixels == 0)
+    return {};
+  Outline result{{extent->centroid.x, extent->centroid.y, extent->size.x},
+                 std::sqrt(pixels / std::numbers::pi),
+                 support_of(roi.contour)};
+  // Contours run through pixel centres; the region reaches half a pixel further.
+  for (double& reach : result.support)
+    reach += 0.5;
+  return result;
+}
+
 } // namespace
 
 const std::vector<std::string>& fit_measurements() {
@@ -189,16 +213,10 @@ const std::vector<std::string>& fit_measurements() {
 
 std::vector<double> measure_fit(const ROI& roi, const Camera& camera) {
   std::vector<double> result(fit_measurements().size(), 0);
-  const auto extent = extent_on_table(camera, roi.contour, false);
-  const int pixels = cv::countNonZero(as_mat(roi.mask));
-  if (!extent || !(extent->size.x > 0) || pixels == 0)
+  const auto seen = outline_of(roi, camera);
+  if (!seen)
     return result;
-  const Stand stand{extent->centroid.x, extent->centroid.y, extent->size.x};
-  const double radius = std::sqrt(pixels / std::numbers::pi);
-  Support outline = support_of(roi.contour);
-  // Contours run through pixel centres; the region reaches half a pixel further.
-  for (double& reach : outline)
-    reach += 0.5;
+  const auto& [stand, radius, outline] = *seen;
   const auto cube = fit_box(camera, stand, 1, outline, radius);
   const auto cylinder = fit_cylinder(camera, stand, outline, radius, {1});
   const auto tall = fit_cylinder(camera, stand, outline, radius, {0.7, 0.85, 1.2, 1.4, 1.7});
@@ -232,6 +250,26 @@ std::vector<double> measure_fit(const ROI& roi, const Camera& camera) {
           interior.step_across(cube->model.rim, cube->alignment, near),
           interior.step_across(cylinder->model.rim, cylinder->alignment, near),
           1};
+}
+
+std::map<std::string, double> outline_deviations(const ROI& roi, const Camera& camera) {
+  const auto seen = outline_of(roi, camera);
+  if (!seen)
+    return {};
+  const auto& [stand, radius, outline] = *seen;
+  std::optional<Fit> sphere;
+  keep_better(sphere, model_sphere(camera, stand), outline, radius);
+  const std::map<std::string, std::optional<Fit>> fits{
+    {"cube", fit_box(camera, stand, 1, outline, radius)},
+    {"cylinder",
+     fit_cylinder(camera, stand, outline, radius, {0.5, 0.7, 0.85, 1, 1.2, 1.4, 1.7, 2, 2.4})},
+    {"sphere", sphere},
+    {"circle", fit_cylinder(camera, stand, outline, radius, {thin})},
+    {"square", fit_box(camera, stand, thin, outline, radius)}};
+  std::map<std::string, double> result;
+  for (const auto& [shape, fit] : fits)
+    result[shape] = fit ? fit->alignment.deviation / radius : fit_tolerance;
+  return result;
 }
 
 } // namespace castor::vision

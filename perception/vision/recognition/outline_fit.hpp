@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,12 @@ const std::vector<std::string>& fit_measurements();
 /// \param roi its box, pixels, mask and contour.
 /// \returns all 0 if the region's foot is not on the visible table.
 std::vector<double> measure_fit(const ROI& roi, const Camera& camera);
+
+/// How far the outline is from the one that a cube, a cylinder, a sphere, a flat circle or a flat
+/// square would have at this place on the table, at best: the robust mean, in units of the radius
+/// of the disc of the region's area. Cylinders are half as high as wide to 2.4 times.
+///
+/// \returns nothing if the region's foot is not on the visible table.
+std::map<std::string, double> outline_deviations(const ROI& roi, const Camera& camera);
 
 } // namespace castor::vision

@@ -43,6 +43,11 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
     shape.tells_round_apart = false;
   features.shape_evidence = measure_shape(roi.region, roi.mask, fit);
   features.shapes = classify_shape(features.shape_evidence, shape, network);
+  const auto best = best_of(features.shapes);
+  const bool is_sure = best.value != Hypothesis{}.value && best.confidence >= shape.sure;
+  if (!fit.empty() && !features.shape_evidence.empty() && !is_sure)
+    features.shapes = classify_shape(features.shape_evidence, shape, network,
+                                     outline_deviations(roi, *camera));
   if (camera != nullptr) {
     const bool flat = is_flat_shape(best_of(features.shapes).value);
     features.extent = extent_on_table(*camera, roi.contour, flat).value_or(AlignedBox{});

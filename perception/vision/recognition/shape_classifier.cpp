@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 
 #include "castor/perception/vision/recognition/shape_evidence.hpp"
@@ -28,6 +29,25 @@ void join_round(std::vector<Hypothesis>& shapes) {
     joint.confidence += is_round(shape) ? shape.confidence : 0;
   std::erase_if(shapes, is_round);
   shapes.push_back(joint);
+}
+
+/// By how far the outline is from that of each shape.
+void weigh(std::vector<Hypothesis>& shapes, const std::map<std::string, double>& deviations) {
+  // A shape whose outline is so much further off is less likely by the factor e.
+  constexpr double scale = 0.005;
+  // How much further than the best the outlines of those are that are not fitted.
+  constexpr double usual = 0.0075;
+  // Outlines that fit no shape so well are those of things that are partly hidden.
+  constexpr double good = 0.03;
+  const double best =
+    std::ranges::min_element(deviations, {}, [](const auto& x) { return x.second; })->second;
+  if (best > good)
+    return;
+  for (auto& shape : shapes) {
+    const auto found = deviations.find(shape.value);
+    const double more = found == deviations.end() ? usual : found->second - best;
+    shape.confidence *= std::exp(-more / scale);
+  }
 }
 
 } // namespace
@@ -95,7 +115,8 @@ std::vector<double> output_values(const ShapeNetwork& network, std::span<const d
 }
 
 std::vector<Hypothesis> classify_shape(std::span<const double> evidence,
-                                       const ShapeOptions& options, const ShapeNetwork& network) {
+                                       const ShapeOptions& options, const ShapeNetwork& network,
+                                       const std::map<std::string, double>& deviations) {
   if (evidence.empty())
     return {{"unknown", 1}};
   if (evidence.size() != static_cast<std::size_t>(network.inputs) ||
@@ -103,7 +124,6 @@ std::vector<Hypothesis> classify_shape(std::span<const double> evidence,
     throw std::invalid_argument("classify_shape: the evidence does not fit the network");
   const auto shares = output_values(network, hidden_values(network, evidence));
   std::vector<Hypothesis> result;
-  double total = 0;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const auto& name = shape_vocabulary()[i];
     const auto& candidates = options.candidates;
@@ -111,10 +131,14 @@ std::vector<Hypothesis> classify_shape(std::span<const double> evidence,
         std::find(candidates.begin(), candidates.end(), name) == candidates.end())
       continue;
     result.push_back({name, shares[i]});
-    total += shares[i];
   }
   if (result.empty())
     throw std::invalid_argument("classify_shape: no candidate is of the vocabulary");
+  if (!deviations.empty())
+    weigh(result, deviations);
+  double total = 0;
+  for (const auto& hypothesis : result)
+    total += hypothesis.confidence;
   for (auto& hypothesis : result)
     hypothesis.confidence /= total;
   if (!options.tells_round_apart)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,15 +50,20 @@ struct ShapeOptions {
   /// Whether the camera is known. If not, a ball ("sphere") and a disc ("circle") look the same,
   /// and are both `round_shape`, unless only one of them is a candidate.
   bool tells_round_apart = true;
+  /// Below that confidence, outlines decide.
+  double sure = 0.9;
 };
 
 /// Shape names of a region, the likeliest first; confidences sum to 1.
 ///
 /// \param evidence from measure_shape(); if empty, the result is "unknown" with confidence 1.
+/// \param deviations from outline_deviations(): shapes are the less likely the further the outline
+///        is from theirs; empty: it does not count.
 /// \throws std::invalid_argument if it has another length than the network has inputs, or if no
 ///         candidate is of the vocabulary.
 std::vector<Hypothesis> classify_shape(std::span<const double> evidence,
                                        const ShapeOptions& options = {},
-                                       const ShapeNetwork& network = trained_shape_network());
+                                       const ShapeNetwork& network = trained_shape_network(),
+                                       const std::map<std::string, double>& deviations = {});
 
 } // namespace castor::vision

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -110,6 +112,23 @@ TEST(ShapeClassifier, says_unknown_when_it_is_not_sure) {
   EXPECT_EQ(classify_shape({}).front().value, "unknown");
 }
 
+TEST(ShapeClassifier, WeighsShapesByOutlines) {
+  ShapeNetwork undecided{2, 1, 7, {}};
+  undecided.weights.assign(undecided.size(), 0.0F);
+  const std::vector<double> evidence{1, 2};
+  const std::map<std::string, double> clear{{"cube", 0.016}, {"square", 0.035}, {"sphere", 0.042}};
+  const auto shapes = classify_shape(evidence, {}, undecided, clear);
+  EXPECT_EQ(shapes.front().value, "cube");
+  // Whether it is a rectangle is not known by that.
+  EXPECT_GT(shapes.front().confidence, shapes.back().confidence * 4);
+  double sum = 0;
+  for (const auto& shape : shapes)
+    sum += shape.confidence;
+  EXPECT_NEAR(sum, 1, 1e-9);
+  const std::map<std::string, double> hidden{{"cube", 0.04}, {"square", 0.07}};
+  EXPECT_EQ(classify_shape(evidence, {}, undecided, hidden).front().value, "unknown");
+}
+
 TEST(ShapeClassifier, keeps_to_the_candidates) {
   const auto shapes = classify_shape(measure(triangle(40)), {.candidates = {"cube", "sphere"}});
   for (const auto& shape : shapes)
@@ -200,6 +219,7 @@ TEST(ShapeClassifier, TellsFlatPiecesOfEveryColour) {
 TEST(ShapeClassifier, tells_rendered_solids) {
   EXPECT_GE(views_called("cube", TabletopShape::cube, {0.07, 0.07, 0.07}), 7);
   EXPECT_GE(views_called("cylinder", TabletopShape::cylinder, {0.06, 0.06, 0.08}), 7);
+  EXPECT_GE(views_called("cylinder", TabletopShape::cylinder, {0.05, 0.05, 0.1}), 7);
   EXPECT_GE(views_called("sphere", TabletopShape::sphere, {0.07, 0.07, 0.07}), 7);
 }
 
