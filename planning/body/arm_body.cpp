@@ -78,6 +78,7 @@ CollisionChecker& ArmBody::checker() {
 void ArmBody::command(const ArmCommand& command, std::chrono::microseconds holds) {
   if (command.motion != motion_) {
     fault_.clear();
+    fault_joint_.clear();
     motion_ = command.motion;
   }
   if (fault_.empty()) {
@@ -131,8 +132,10 @@ void ArmBody::move_joints(double seconds) {
     next[i] = std::clamp(positions_[i] + speed * seconds, joint.lower, joint.upper);
     largest = std::max(largest, std::abs(next[i] - positions_[i]));
     speeds_[i] = (next[i] - positions_[i]) / seconds;
-    if (fault_.empty() && std::abs(after[i] - next[i]) > options_.most_lag)
+    if (fault_.empty() && std::abs(after[i] - next[i]) > options_.most_lag) {
+      fault_joint_ = joint.name;
       stop("the joint " + joint.name + " does not follow");
+    }
   }
   if (largest <= 0)
     return;
@@ -290,6 +293,7 @@ ArmState ArmBody::state() const {
   const bool fingers_rest = opening_ == wanted_opening_ || world_.held() || !goes_on();
   result.rests = is_still() && fingers_rest;
   result.fault = fault_;
+  result.fault_joint = fault_joint_;
   return result;
 }
 

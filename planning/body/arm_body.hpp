@@ -123,6 +123,7 @@ private:
   /// Time until which the command holds.
   std::chrono::microseconds commanded_until_{0};
   std::string fault_;
+  std::string fault_joint_;
   std::int64_t motion_ = 0;
   std::optional<std::size_t> stuck_;
   std::mt19937_64 random_;

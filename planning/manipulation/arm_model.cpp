@@ -50,6 +50,25 @@ bool within_limits(const ArmModel& arm, std::span<const double> configuration, d
   return true;
 }
 
+bool stands_still(const Joint& joint) {
+  return joint.kind != JointKind::fixed && joint.lower == joint.upper;
+}
+
+ArmModel with_still_joint(ArmModel arm, std::size_t index, double at) {
+  auto& joint = arm.joints[moving_joints(arm).at(index)];
+  joint.lower = joint.upper = at;
+  return arm;
+}
+
+Configuration kept_within_limits(const ArmModel& arm, Configuration configuration) {
+  const auto moving = moving_joints(arm);
+  for (std::size_t i = 0; i < std::min(moving.size(), configuration.size()); ++i) {
+    const auto& joint = arm.joints[moving[i]];
+    configuration[i] = std::clamp(configuration[i], joint.lower, joint.upper);
+  }
+  return configuration;
+}
+
 double reach(const ArmModel& arm) {
   const auto moving = moving_joints(arm);
   double result = length(arm.tool.position);

@@ -74,6 +74,19 @@ std::vector<std::size_t> moving_joints(const ArmModel& arm);
 bool within_limits(const ArmModel& arm, std::span<const double> configuration,
                    double tolerance = 1e-9);
 
+/// Whether the limits of a joint let it stand at one place only.
+bool stands_still(const Joint& joint);
+
+/// The arm of which one of the moving joints does not move any more. Configurations keep a number
+/// for it.
+/// @param index of the joint in a configuration
+/// @param at where it stands
+/// \throws std::out_of_range if there is no such joint.
+ArmModel with_still_joint(ArmModel arm, std::size_t index, double at);
+
+/// The configuration, with each joint at its nearest place within the limits.
+Configuration kept_within_limits(const ArmModel& arm, Configuration configuration);
+
 /// Largest distance of the tool's origin from the origin of the first moving joint that the lengths
 /// of links permit, metres; limits of turning joints are not taken into account.
 double reach(const ArmModel& arm);

@@ -16,6 +16,8 @@ using std::numbers::pi;
 constexpr double is_zero = 1e-9;
 // The tool's z axis may be that far from the arm's plane.
 constexpr double angle_tolerance = 1e-7;
+// Radians that the tool may be turned about its own axis by a roll that stands still.
+constexpr double still_roll_tolerance = 5 * pi / 180;
 
 bool is_along_z(const Pose& pose) {
   return std::abs(pose.position.x) < is_zero && std::abs(pose.position.y) < is_zero;
@@ -126,7 +128,9 @@ ClosedFormKinematics::Candidate ClosedFormKinematics::candidate(const Pose& tool
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const auto& [lower, upper, sign] = joints_[i];
     double angle = turned_into(sign * angles[i], lower, upper);
-    if (angle < lower - is_zero || angle > upper + is_zero)
+    const bool is_still_roll = i + 1 == angles.size() && lower == upper;
+    const double tolerance = is_still_roll ? still_roll_tolerance : is_zero;
+    if (angle < lower - tolerance || angle > upper + tolerance)
       result.is_within_limits = false;
     else
       angle = std::clamp(angle, lower, upper);

@@ -21,6 +21,9 @@ constexpr double nearly_right_angle = 0.17;
 constexpr double least_overlap = 0.005;
 // What is round slips out if it touches a finger nearer to its edge, metres.
 constexpr double rim = 0.002;
+// Ways to turn the fingers around what is round, for an arm that cannot turn them: it has to be one
+// of theirs by chance.
+constexpr int still_turns = 18;
 
 double half_extent(const NamedSolid& thing, const Vector3d& direction) {
   return manipulation::half_extent(thing, geometry::to_point(direction));
@@ -74,6 +77,9 @@ class Candidates {
 public:
   Candidates(const ArmModel& arm, const NamedSolid& thing, const GraspOptions& options)
     : gripper_(*arm.gripper), thing_(thing), options_(options),
+      turns_(std::ranges::any_of(arm.joints, stands_still)
+               ? std::max(options.turns, still_turns)
+               : options.turns),
       position_(geometry::to_eigen(thing.pose.position)) {
     // nop
   }
@@ -94,7 +100,7 @@ private:
     const double across = std::abs(std::sin(tilt)) < 1e-9 ? 0 : std::sin(tilt);
     const Vector3d approach(across * std::cos(azimuth), across * std::sin(azimuth),
                             across == 0 ? -1 : std::cos(tilt));
-    for (const auto& [direction, width] : closings(thing_, approach, options_.turns)) {
+    for (const auto& [direction, width] : closings(thing_, approach, turns_)) {
       if (width + options_.spare > gripper_.widest || width < gripper_.narrowest)
         continue;
       const auto at = position_for(approach, direction);
@@ -139,6 +145,7 @@ private:
   const Gripper& gripper_;
   const NamedSolid& thing_;
   const GraspOptions& options_;
+  int turns_;
   Vector3d position_;
   std::vector<GraspCandidate> result_;
 };

@@ -9,13 +9,18 @@
 /// Ways to grasp a thing by its shape alone.
 namespace castor::manipulation {
 
+/// From straight down to the side, in so many steps.
+inline std::vector<double> tilts_from_above(int steps) {
+  std::vector<double> result;
+  for (int i = 0; i <= steps; ++i)
+    result.push_back(std::numbers::pi * (1 - 0.5 * i / steps));
+  return result;
+}
+
 struct GraspOptions {
   /// Angles of the tool's z axis from straight up: pi is a grasp from above, pi / 2 one from the
   /// side.
-  std::vector<double> tilts{std::numbers::pi,         std::numbers::pi * 11 / 12,
-                            std::numbers::pi * 5 / 6, std::numbers::pi * 3 / 4,
-                            std::numbers::pi * 2 / 3, std::numbers::pi * 7 / 12,
-                            std::numbers::pi / 2};
+  std::vector<double> tilts = tilts_from_above(12);
   /// How many ways to turn the fingers around what is round.
   int turns = 6;
   /// How many directions to come from, for arms that can choose it.

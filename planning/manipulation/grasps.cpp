@@ -123,11 +123,13 @@ private:
     grasps_.push_back(std::move(grasp));
   }
 
-  /// Of the joint that is nearest to one: 1 in the middle of its range, 0 at its end.
+  /// Of the joint that moves and is nearest to one: 1 in the middle of its range, 0 at its end.
   double distance_from_limits(const Configuration& configuration) const {
     const auto moving = moving_joints(arm_);
     double result = 1;
     for (std::size_t i = 0; i < moving.size(); ++i) {
+      if (stands_still(arm_.joints[moving[i]]))
+        continue;
       const double lower = arm_.joints[moving[i]].lower;
       const double upper = arm_.joints[moving[i]].upper;
       result = std::min(result, 2 * std::min(configuration[i] - lower, upper - configuration[i]) /

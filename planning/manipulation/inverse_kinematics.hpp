@@ -27,7 +27,8 @@ public:
   bool is_closed_form() const;
 
   /// Solutions within the limits for a pose in the arm's frame, the nearest to `near` first; empty
-  /// if none is found. An arm of less than six joints reaches few poses exactly.
+  /// if none is found. An arm of less than six joints reaches few poses exactly. A roll that stands
+  /// still may leave the tool turned about its own axis, by up to 5 degrees in closed form.
   /// \throws std::invalid_argument if `near` is no configuration of this arm.
   std::vector<Configuration> solve(const Pose& tool, const Configuration& near) const;
 

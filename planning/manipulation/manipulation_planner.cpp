@@ -266,7 +266,7 @@ ManipulationPlanner::landings(const Scene& scene, const Pose& tool, const PlaceG
     double turn = azimuth(middle) - azimuth(direction);
     for (int i = 0; i < azimuth_rounds; ++i)
       turn = azimuth(turned_tool(middle, turn).position) - azimuth(direction);
-    if (try_at(middle, turn) || try_at(middle, 0))
+    if (try_at(middle, turn + goal.turn) || (goal.turn == 0 && try_at(middle, 0)))
       continue;
     for (int i = 1; i < 4 && !inverse_.is_closed_form(); ++i)
       if (try_at(middle, turn + pi / 2 * i))
@@ -339,6 +339,21 @@ ManipulationResult ManipulationPlanner::place(const Scene& scene, const PlaceGoa
   if (auto failure = add_place(plan, scene, found, goal, start, opening, open))
     return *std::move(failure);
   return plan;
+}
+
+std::optional<Pose> ManipulationPlanner::landing_of(const Scene& scene, const std::string& thing,
+                                                    const PlaceGoal& goal,
+                                                    const Configuration& start) const {
+  const auto found = find_grasps(arm_, inverse_, scene, thing, start, options_.grasps);
+  std::vector<Contact> contacts;
+  if (const auto* grasps = std::get_if<std::vector<Grasp>>(&found))
+    for (const auto& grasp : *grasps)
+      if (const auto held = hold(scene, thing, grasp))
+        if (const auto ways =
+              landings(held->scene, held->tool, goal, held->lift.back(), held->opening, contacts);
+            !ways.empty())
+          return ways.front().goal;
+  return {};
 }
 
 ManipulationResult ManipulationPlanner::pick_and_place(const Scene& scene, const std::string& thing,

@@ -34,6 +34,9 @@ struct PlaceGoal {
   std::string support;
   /// For messages: "its place", "the red box".
   std::string text = "its place";
+  /// Further turn of the thing about the vertical, radians; only hands that point straight down can
+  /// do that.
+  double turn = 0;
 };
 
 /// Plans what an arm does with the things of a scene. Callers in several threads wait for each
@@ -54,6 +57,11 @@ public:
   /// Both; of all grasps, one that fits the place.
   ManipulationResult pick_and_place(const Scene& scene, const std::string& thing,
                                     const PlaceGoal& goal, const Configuration& start) const;
+
+  /// Where the thing would come to be, if there is a way to take it and a way to put it down there;
+  /// motions between them are not planned.
+  std::optional<Pose> landing_of(const Scene& scene, const std::string& thing,
+                                 const PlaceGoal& goal, const Configuration& start) const;
 
   /// Pushes a thing on the table with closed fingers, by at least that distance, in a direction in
   /// which nothing is in its way, and withdraws.

@@ -41,8 +41,11 @@ std::shared_ptr<ob::RealVectorStateSpace> joint_space(const ArmModel& arm) {
   const auto size = static_cast<unsigned>(moving.size());
   ob::RealVectorBounds bounds(size);
   for (unsigned i = 0; i < size; ++i) {
-    bounds.setLow(i, arm.joints[moving[i]].lower);
-    bounds.setHigh(i, arm.joints[moving[i]].upper);
+    const auto& joint = arm.joints[moving[i]];
+    // It refuses bounds that are equal.
+    const double room = stands_still(joint) ? 1e-10 : 0;
+    bounds.setLow(i, joint.lower - room);
+    bounds.setHigh(i, joint.upper + room);
   }
   auto result = std::make_shared<ob::RealVectorStateSpace>(size);
   result->setBounds(bounds);

@@ -105,11 +105,15 @@ const SeenThing* find_like(const std::vector<SeenThing>& things, const SeenThing
 std::vector<Point3> free_places(const std::vector<SeenThing>& things, double width) {
   // For the fingers, metres.
   constexpr double gap = 0.04;
+  // Where who looks at the table still sees it, metres.
+  constexpr double most_aside = 0.24;
   std::vector<std::pair<double, Point3>> found;
-  for (const double distance : {0.28, 0.32, 0.36, 0.40, 0.44})
-    for (const double degrees : {0.0, -12.0, 12.0, -24.0, 24.0}) {
+  for (const double distance : {0.20, 0.24, 0.28, 0.32, 0.36, 0.40, 0.44})
+    for (const double degrees : {0.0, -12.0, 12.0, -24.0, 24.0, -36.0, 36.0, -48.0, 48.0}) {
       const double angle = degrees * std::numbers::pi / 180;
       const Point3 place{distance * std::cos(angle), distance * std::sin(angle), 0};
+      if (std::abs(place.y) > most_aside)
+        continue;
       double room = std::numeric_limits<double>::infinity();
       for (const auto& x : things)
         room = std::min(room, distance_on_table(x.thing.pose.position, place) -

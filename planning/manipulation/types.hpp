@@ -44,6 +44,8 @@ struct TablePlace {
 struct PickAndPlace {
   EntryPointer<vision::SceneObject> what;
   TablePlace to;
+  /// It may be put down somewhere on the way, to be held in another way from there on.
+  bool may_put_between = false;
   ManipulationPriority priority = ManipulationPriority::normal;
 };
 
@@ -143,7 +145,7 @@ struct HeldThing {
 
 CASTOR_REFLECT_ENUM(ManipulationPriority, normal, high)
 CASTOR_REFLECT(TablePlace, x, y, radius, on, frame)
-CASTOR_REFLECT(PickAndPlace, what, to, priority)
+CASTOR_REFLECT(PickAndPlace, what, to, may_put_between, priority)
 CASTOR_REFLECT(Pick, what, priority)
 CASTOR_REFLECT(Place, to, priority)
 CASTOR_REFLECT(PushAside, what, distance, priority)
@@ -203,6 +205,8 @@ struct ArmState {
   /// Why it does not go on: a contact, or a joint that does not follow. Holds until the next
   /// motion.
   std::string fault;
+  /// Name of the joint that does not follow, if it is that.
+  std::string fault_joint;
 };
 
 /// Thing of a simulated table as it really is, in the table's frame.
@@ -231,7 +235,8 @@ struct ArmStatus {
 
 CASTOR_REFLECT(ArmSeat, commander)
 CASTOR_REFLECT(ArmCommand, motion, begin, interval, positions, opening, pushes)
-CASTOR_REFLECT(ArmState, time, positions, speeds, opening, holds, motion, motion_time, rests, fault)
+CASTOR_REFLECT(ArmState, time, positions, speeds, opening, holds, motion, motion_time, rests, fault,
+               fault_joint)
 CASTOR_REFLECT(TrueThing, name, pose, support)
 CASTOR_REFLECT(ArmStatus, time, things, collisions, collision, missed, dropped, moved, uncommanded)
 

@@ -241,6 +241,14 @@ TEST_F(PlayMateWithArm, GivesUpWhenItsFingersAlwaysSlipOff) {
   EXPECT_EQ(told().truth.collisions, 0) << told().truth.collision;
 }
 
+TEST_F(PlayMateWithArm, GoesOnWithoutAJointThatDoesNotMoveAnyMore) {
+  run("OneMover", {{"sticking_joint", "roll"}, {"sticks_after", "5500ms"}});
+  EXPECT_EQ(told().first.outcome, ActionOutcome::succeeded) << told().first.reason;
+  EXPECT_NEAR(truth("the blue sphere").pose.position.x, 0.1, 0.02);
+  EXPECT_EQ(truth("the blue sphere").support, "the table");
+  EXPECT_EQ(told().truth.collisions, 0) << told().truth.collision;
+}
+
 TEST_F(PlayMateWithArm, StopsAndPausesAndGoesOn) {
   run("Stopper");
   EXPECT_EQ(told().first.outcome, ActionOutcome::cancelled);

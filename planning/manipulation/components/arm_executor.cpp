@@ -102,7 +102,7 @@ class ArmExecutor final : public ExecutesManipulation {
         held_->pose = pose;
         const PlaceGoal goal{x, 0, "the table", "a free place"};
         const auto plan =
-          planned([&] { return planner_->place(scene(), goal, state()->positions); });
+          planned([&] { return planner_->place(scene(), goal, joints()); });
         if (!plan)
           continue;
         const auto carried = carry_out_all(*plan);
@@ -166,6 +166,7 @@ class ArmExecutor final : public ExecutesManipulation {
 
   ActionResult pick_and_place(const PickAndPlace& x) {
     begin("put a thing somewhere", x.what);
+    int most_between = x.may_put_between ? 2 : 0;
     return with_thing(x.what, [&](const SeenThing& thing) -> std::optional<ActionResult> {
       told_.task = "put " + thing.thing.name + ' ' + text_of(x.to);
       const auto goal = goal_of(x.to);
@@ -174,17 +175,36 @@ class ArmExecutor final : public ExecutesManipulation {
       const bool holds = held_ && state()->holds;
       auto plan = planned([&] {
         return holds
-                 ? planner_->place(scene(), *goal, state()->positions)
-                 : planner_->pick_and_place(scene(), thing.thing.name, *goal, state()->positions);
+                 ? planner_->place(scene(), *goal, joints())
+                 : planner_->pick_and_place(scene(), thing.thing.name, *goal, joints());
       });
       if (!plan && holds)
         return grasped_anew();
+      if (!plan && most_between-- > 0)
+        return put_between(thing, *goal);
       if (!plan)
         return ActionResult::failed(told_.reason);
       if (const auto carried = carry_out_all(*plan); !carried.is_done)
         return carried.end;
       return confirmed_at(thing, plan->goal, x.to);
     });
+  }
+
+  /// To be tried again from there.
+  std::optional<ActionResult> put_between(const SeenThing& thing, const PlaceGoal& goal) {
+    const auto reason = told_.reason;
+    const auto plan = plan_way_between(*planner_, scene(), thing.thing.name, goal,
+                                       free_places(things_, thing.thing.solid.size.x), joints());
+    if (!plan)
+      return ActionResult::failed(reason);
+    told_.plans += plan->motions;
+    const auto carried = carry_out_all(*plan);
+    if (carried.is_done) {
+      told_.reason = "it has to be held in another way";
+      // That was none.
+      --told_.tries;
+    }
+    return carried.end;
   }
 
   /// What is held in such a way that it cannot be put there is put down, to be tried again.
@@ -205,7 +225,7 @@ class ArmExecutor final : public ExecutesManipulation {
     return with_thing(x.what, [&](const SeenThing& thing) -> std::optional<ActionResult> {
       told_.task = "take " + thing.thing.name;
       auto plan =
-        planned([&] { return planner_->pick(scene(), thing.thing.name, state()->positions); });
+        planned([&] { return planner_->pick(scene(), thing.thing.name, joints()); });
       if (!plan)
         return ActionResult::failed(told_.reason);
       if (const auto carried = carry_out_all(*plan); !carried.is_done)
@@ -230,7 +250,7 @@ class ArmExecutor final : public ExecutesManipulation {
     if (!goal)
       return ActionResult::failed(told_.reason);
     auto thing = held_thing_;
-    auto plan = planned([&] { return planner_->place(scene(), *goal, state()->positions); });
+    auto plan = planned([&] { return planner_->place(scene(), *goal, joints()); });
     if (!plan)
       return ActionResult::failed(told_.reason);
     if (const auto carried = carry_out_all(*plan); !carried.is_done)
@@ -245,7 +265,7 @@ class ArmExecutor final : public ExecutesManipulation {
     return with_thing(x.what, [&](const SeenThing& thing) -> std::optional<ActionResult> {
       told_.task = fmt::format("push {} aside by {:.2f} m", thing.thing.name, x.distance);
       auto plan = planned(
-        [&] { return planner_->push(scene(), thing.thing.name, x.distance, state()->positions); });
+        [&] { return planner_->push(scene(), thing.thing.name, x.distance, joints()); });
       if (!plan)
         return ActionResult::failed(told_.reason);
       if (const auto carried = carry_out_all(*plan); !carried.is_done)
@@ -261,6 +281,7 @@ class ArmExecutor final : public ExecutesManipulation {
 
   ActionResult go_home() {
     begin("go home", {});
+    trust_joints();
     return withdraw();
   }
 

@@ -34,6 +34,8 @@ struct StageEnd {
 
   Kind kind = Kind::done;
   std::string why;
+  /// Name of the joint that does not follow, if it is that.
+  std::string joint = {};
 };
 
 /// A component that commands an arm, in its seat: the arm obeys only who sits in it.
@@ -85,7 +87,7 @@ protected:
       }
       is_taken_up = true;
       if (!state_->fault.empty())
-        return {StageEnd::Kind::fault, state_->fault};
+        return {StageEnd::Kind::fault, state_->fault, state_->fault_joint};
       const bool is_over = state_->motion_time >= stage.trajectory.duration() && state_->rests;
       const bool has_to_hold = stage.holds.value_or(false);
       if (has_to_hold && !state_->holds &&

@@ -5,10 +5,13 @@
 #include "castor/planning/manipulation/arm_action_queue.hpp"
 #include "castor/planning/manipulation/components/commands_arm.hpp"
 #include "castor/planning/manipulation/components/sees_table.hpp"
+#include "castor/planning/manipulation/hidden_posture.hpp"
+#include "castor/planning/manipulation/joint_watch.hpp"
 #include "castor/planning/manipulation/kinematics.hpp"
 #include "castor/planning/manipulation/manipulation_planner.hpp"
 #include "castor/planning/manipulation/reach_map.hpp"
 #include "castor/planning/manipulation/types.hpp"
+#include "castor/planning/manipulation/way_between.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -25,20 +28,37 @@ class ExecutesManipulation : public SeesTable<CommandsArm> {
 protected:
   void configure() override {
     CommandsArm::configure();
+    able_to(arm());
+    rests_at_ = rest();
+  }
+
+  /// Plans with that model from now on.
+  void able_to(const ArmModel& arm) {
+    able_ = arm;
     ManipulationOptions options;
     options.grasps.spare = spare_;
     options.timing.speed_share = speed_;
     options.timing.acceleration_share = acceleration_;
     options.motions.time_limit = planning_time_;
     options.motions.algorithm = planning_algorithm(algorithm_.get());
-    planner_.emplace(arm(), options);
+    planner_.emplace(able_, options);
     ReachMapOptions reach;
     reach.width = table_width_;
     reach.depth = table_depth_;
     reach.grasps = options.grasps;
     grasps_ = options.grasps;
-    reach_ = reach_map(arm(), InverseKinematics(arm()), placement(), reach);
+    reach_ = reach_map(able_, InverseKinematics(able_), placement(), reach);
   }
+
+  /// All joints are tried again, also those that did not move any more.
+  void trust_joints() {
+    still_joints_.clear();
+    able_to(arm());
+    rests_at_ = rest();
+  }
+
+  /// From where it is planned.
+  Configuration joints() const { return kept_within_limits(able_, state()->positions); }
 
   // -- what it says
 
@@ -173,6 +193,8 @@ protected:
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     if (auto* failure = std::get_if<MotionFailure>(&result)) {
       told_.reason = failure->text;
+      for (const auto& joint : still_joints_)
+        told_.reason += "; its joint " + joint + " does not move any more";
       told_.in_way = failure->obstacles;
       return {};
     }
@@ -213,9 +235,57 @@ protected:
         stage, [this] { return !is_to_end(); }, [this] { return is_paused_; }, [this] { wait(); });
       note_changes(stage, plan);
       if (end.kind != StageEnd::Kind::done) {
+        note_joint(end.joint);
         warning("{}: {} while it {}", told_.task, end.why, stage.text);
         return end;
       }
+    }
+    return {};
+  }
+
+  /// What does not move any more is done without.
+  void note_joint(const std::string& name) {
+    const auto moving = moving_joints(arm());
+    for (std::size_t i = 0; i < moving.size(); ++i)
+      if (arm().joints[moving[i]].name == name &&
+          watch_.did_not_follow(name, state()->positions[i])) {
+        warning("the joint {} does not move any more: goes on without it", name);
+        still_joints_.push_back(name);
+        able_to(with_still_joint(able_, i, state()->positions[i]));
+      }
+  }
+
+  /// Where it rests out of the camera's sight, or could if a joint does not move any more.
+  std::vector<Configuration> postures_of_rest() {
+    if (still_joints_.empty())
+      return {rest()};
+    auto camera = this->camera();
+    std::size_t usual = 0;
+    if (camera) {
+      camera->pose = geometry::compose(geometry::inverse(placement(), arm_frame), camera->pose);
+      usual = points_in_sight(arm(), rest(), {}, *camera);
+    }
+    auto result = hidden_postures(able_, scene(), rest(), camera ? &*camera : nullptr, usual);
+    result.resize(std::min(result.size(), most_rests));
+    return result;
+  }
+
+  /// Nothing, and the reason, if there is none.
+  std::optional<ManipulationPlan> way_home(bool draws_back) {
+    const auto rests = postures_of_rest();
+    if (rests.empty())
+      told_.reason = "its joint " + still_joints_.back() +
+                     " does not move any more, and without it, it does not get out of the "
+                     "camera's sight";
+    for (const auto& to : rests) {
+      auto plan = planned([&] {
+        return planner_->go(scene(), to, joints(), state()->opening,
+                            held_ ? "goes home with " + held_->name : "goes home", draws_back);
+      });
+      if (!plan)
+        continue;
+      rests_at_ = to;
+      return plan;
     }
     return {};
   }
@@ -244,11 +314,7 @@ protected:
       // It comes to rest before it is planned from where.
       while (!state()->rests && !is_to_end())
         wait();
-      auto plan = planned([&] {
-        return planner_->go(scene(), rest(), state()->positions, state()->opening,
-                            held_ ? "goes home with " + held_->name : "goes home",
-                            is_resuming_ || tries > 1);
-      });
+      const auto plan = way_home(is_resuming_ || tries > 1);
       if (!plan)
         return ActionResult::failed("the arm cannot go home: " + told_.reason);
       const auto end = stages_of(*plan);
@@ -267,7 +333,7 @@ protected:
 
   bool is_at_rest() const {
     constexpr double close = 0.02; // radians
-    return state() && state()->rests && manipulation::distance(state()->positions, rest()) < close;
+    return state() && state()->rests && manipulation::distance(state()->positions, rests_at_) < close;
   }
 
   bool is_to_end() {
@@ -286,6 +352,8 @@ protected:
   /// What a predecessor has left is dealt with just now.
   bool is_resuming_ = false;
   std::optional<ManipulationPlanner> planner_;
+  /// Names of the joints that do not move any more.
+  std::vector<std::string> still_joints_;
   /// The one that runs, or null.
   ActionInProgress* action_ = nullptr;
   std::vector<SeenThing> things_;
@@ -300,6 +368,13 @@ protected:
 private:
   static constexpr const char* reach_entry = "reach";
   static constexpr int most_ways_home = 3;
+  /// That ways are planned to.
+  static constexpr std::size_t most_rests = 6;
+
+  /// The arm without the joints that do not move any more.
+  ArmModel able_;
+  Configuration rests_at_;
+  JointWatch watch_;
 
   GraspOptions grasps_;
   spatial::ReachableTable reach_;

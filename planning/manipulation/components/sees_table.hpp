@@ -73,6 +73,14 @@ protected:
     return seen_things(entries, arm);
   }
 
+  /// Nothing if it is not known where the camera is.
+  std::optional<geometry::Camera> camera() {
+    for (const auto& x : this->template read_all_in<geometry::Camera>(vision_.get()))
+      if (!x->is_assumed)
+        return *x;
+    return {};
+  }
+
   const std::string& vision() const { return vision_.get(); }
 
 private:

@@ -127,13 +127,25 @@ class TableExecutor final : public KnowsTable {
     std::string reason;
     const auto targets = targets_of(thing, waypoint, reason);
     ActionResult result = ActionResult::failed(reason);
-    for (const auto& to : targets) {
-      result = done(action, manipulation::PickAndPlace{what, to});
+    std::vector<manipulation::PickAndPlace> ways;
+    for (const auto& to : targets)
+      ways.push_back({what, to});
+    // Only where there is no place that it can be put at directly.
+    for (const auto& to : targets)
+      ways.push_back({what, to, true});
+    bool is_moved = false;
+    for (auto& way : ways) {
+      const auto& to = way.to;
+      if (is_moved && way.may_put_between)
+        break;
+      way.what = what;
+      result = done(action, way);
       // Where the arm has tried it, another place is no better.
       if (result.outcome == ActionOutcome::failed && !has_tried())
         continue;
       if (result.outcome != ActionOutcome::succeeded)
         break;
+      is_moved = true;
       const auto id = seen_as(result);
       memory_.moved(name, waypoint, id, place_of(id, to));
       result = settled(action, std::move(result));

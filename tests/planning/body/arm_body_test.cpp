@@ -107,6 +107,7 @@ TEST(ArmBody, SaysThatAJointDoesNotFollow) {
   body.stick(0);
   EXPECT_FALSE(carry_out(body, motion(arm, aside(), arm.home), 1));
   EXPECT_EQ(body.state().fault, "the joint turret does not follow");
+  EXPECT_EQ(body.state().fault_joint, "turret");
   EXPECT_EQ(body.configuration()[0], aside()[0]);
 }
 

@@ -3,6 +3,8 @@
 #include "castor/mapping/geometry/poses.hpp"
 #include "castor/planning/body/arm_body.hpp"
 #include "castor/planning/manipulation/manipulation_planner.hpp"
+#include "castor/planning/manipulation/seen_table.hpp"
+#include "castor/planning/manipulation/way_between.hpp"
 #include "castor/tests/planning/body/arm_at_table.hpp"
 
 #include <gmock/gmock.h>
@@ -112,6 +114,46 @@ TEST_F(CarriedOutPlans, PushWhatCannotBeGrasped) {
   const auto place = place_of("the plate");
   EXPECT_GE(std::hypot(place.x - 0.35, place.y), 0.095);
   EXPECT_NEAR(place_of("the ball").y, 0.18, 1e-6);
+  EXPECT_EQ(body_->status().collisions, 0) << body_->status().collision;
+}
+
+/// Without turning the hand: round things, and what stands as the hand is turned by chance.
+TEST_F(CarriedOutPlans, PutABallElsewhereWithAHandThatDoesNotTurn) {
+  constexpr std::size_t roll = 4;
+  for (const double degrees : {-100.0, -30.0, 20.0, 75.0}) {
+    set_table({thing("the ball", sphere(0.05), 0.3, -0.1, 0.025),
+               thing("the cube", box(0.05, 0.05, 0.05), 0.3, 0.15, 0.025)});
+    auto start = aside();
+    start[roll] = degrees * degree;
+    ASSERT_TRUE(carry_out(*body_, motion(arm_, aside(), start), ++motion_));
+    body_->stick(roll);
+    const ManipulationPlanner planner(with_still_joint(arm_, roll, body_->configuration()[roll]));
+    const auto plan = expect_plan(
+      planner.pick_and_place(body_->world().scene(), "the ball", at(0.28, 0.02),
+                             kept_within_limits(planner.arm(), body_->configuration())));
+    EXPECT_TRUE(carry_out_all(plan)) << stopped_at_ << body_->state().fault;
+    EXPECT_EQ(body_->status().collisions, 0) << body_->status().collision;
+    EXPECT_NEAR(place_of("the ball").x, 0.28, 0.012);
+    EXPECT_NEAR(place_of("the ball").y, 0.02, 0.012);
+  }
+}
+
+/// What stands near is held from above only, and what is far away cannot be held so.
+TEST_F(CarriedOutPlans, PutAThingDownBetweenToHoldItInAnotherWay) {
+  set_table({thing("the can", cylinder(0.05, 0.09), 0.2, 0, 0.045)});
+  const auto far = at(0.46, 0.05);
+  const auto scene = body_->world().scene();
+  ASSERT_TRUE(std::holds_alternative<MotionFailure>(
+    planner_.pick_and_place(scene, "the can", far, aside())));
+  const auto first = plan_way_between(planner_, scene, "the can", far, free_places({}, 0.05),
+                                      aside());
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(carry_out_all(*first)) << stopped_at_;
+  const auto then = expect_plan(planner_.pick_and_place(body_->world().scene(), "the can", far,
+                                                        body_->configuration()));
+  ASSERT_TRUE(carry_out_all(then)) << stopped_at_;
+  EXPECT_NEAR(place_of("the can").x, 0.46, 0.012);
+  EXPECT_EQ(body_->world().thing("the can").support, "the table");
   EXPECT_EQ(body_->status().collisions, 0) << body_->status().collision;
 }
 

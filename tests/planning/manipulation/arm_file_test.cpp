@@ -1,5 +1,7 @@
 #include "castor/planning/manipulation/arm_file.hpp"
 
+#include "castor/planning/manipulation/joint_watch.hpp"
+
 #include <gmock/gmock.h>
 
 #include <numbers>
@@ -132,6 +134,27 @@ TEST(ArmModel, KnowsLimitsOfItsJoints) {
   EXPECT_FALSE(within_limits(arm, std::vector{-30.1 * degree, 0.4}));
   EXPECT_FALSE(within_limits(arm, std::vector{0.0, 0.41}));
   EXPECT_FALSE(within_limits(arm, std::vector{0.0}));
+}
+
+TEST(ArmModel, AJointThatStandsStillKeepsItsNumber) {
+  const auto arm = with_still_joint(parse_arm(small_arm, "my.arm").arm, 1, 0.1);
+  EXPECT_TRUE(within_limits(arm, std::vector{0.0, 0.1}));
+  EXPECT_FALSE(within_limits(arm, std::vector{0.0, 0.2}));
+  EXPECT_EQ(kept_within_limits(arm, {-90 * degree, 0.2}), (Configuration{-30 * degree, 0.1}));
+  const auto moving = moving_joints(arm);
+  EXPECT_FALSE(stands_still(arm.joints[moving[0]]));
+  EXPECT_TRUE(stands_still(arm.joints[moving[1]]));
+  EXPECT_THROW(with_still_joint(arm, 2, 0), std::out_of_range);
+}
+
+TEST(JointWatch, TellsAJointThatDoesNotMoveFromOneThatSticksForAMoment) {
+  JointWatch watch;
+  EXPECT_FALSE(watch.did_not_follow("lift", 0.3));
+  // It has moved meanwhile.
+  EXPECT_FALSE(watch.did_not_follow("lift", 0.4));
+  EXPECT_FALSE(watch.did_not_follow("turret", 0.4));
+  EXPECT_FALSE(watch.did_not_follow("lift", 0.4));
+  EXPECT_TRUE(watch.did_not_follow("lift", 0.4));
 }
 
 TEST(ArmModel, FingersAreAsFarApartAsTheGripperIsOpen) {

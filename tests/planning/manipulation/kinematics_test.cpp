@@ -129,6 +129,26 @@ TEST(ClosedFormKinematics, GraspsFromAboveWithAnyHeading) {
   }
 }
 
+TEST(ClosedFormKinematics, ARollThatStandsStillIsNearlyRight) {
+  const auto roll = [](const ArmModel& arm, double heading) {
+    std::vector<double> result;
+    for (const auto& x : InverseKinematics(arm).solve(from_above(0.25, 0.1, 0.1, heading), arm.home))
+      result.push_back(x.back());
+    return result;
+  };
+  const auto arm = katana();
+  for (double heading = 0; heading < 2 * pi; heading += 0.2)
+    for (const double wanted : roll(arm, heading)) {
+      const auto near = roll(with_still_joint(arm, 4, wanted + 0.05), heading);
+      EXPECT_TRUE(std::ranges::count(near, wanted + 0.05) > 0) << heading;
+      for (const double x : roll(with_still_joint(arm, 4, wanted + 0.2), heading))
+        EXPECT_EQ(x, wanted + 0.2) << heading;
+    }
+  // A turret that is nearly right would put the tool elsewhere.
+  const auto turret = roll(with_still_joint(arm, 0, std::atan2(0.1, 0.25) + 0.05), 0);
+  EXPECT_TRUE(turret.empty());
+}
+
 TEST(ClosedFormKinematics, HasNoSolutionBeyondTheArmsReach) {
   const auto arm = katana();
   EXPECT_TRUE(ClosedFormKinematics::of(arm)->candidates(from_above(0.7, 0, 0.1)).empty());
