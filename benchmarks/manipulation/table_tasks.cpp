@@ -1,104 +1,23 @@
 #include "castor/benchmarks/manipulation/table_tasks.hpp"
 
-#include "castor/mapping/geometry/poses.hpp"
-#include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
-#include "castor/planning/body/table_things.hpp"
-#include "castor/planning/manipulation/arm_file.hpp"
-#include "castor/planning/manipulation/arm_placement.hpp"
-#include "castor/planning/manipulation/manipulation_planner.hpp"
+#include "castor/benchmarks/manipulation/table_relations.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <numbers>
 #include <random>
-#include <utility>
-#include <variant>
 
 namespace castor::manipulation {
 
 namespace {
 
-/// What the table's things may be put on, metres.
-constexpr double half_width = 0.30;
-constexpr double half_depth = 0.26;
-/// Where who looks at the table is.
-constexpr Spot viewer{0, -0.34};
-/// Half a right angle to each side.
-constexpr double most_off = std::numbers::pi / 4;
-constexpr double near_gap = 0.10;
-/// Of what counts as done, radians and metres.
-constexpr double angle_tolerance = 5 * std::numbers::pi / 180;
-constexpr double gap_tolerance = 0.01;
 /// Of things from the arm: it takes low ones there.
 constexpr double farthest = 0.38;
-/// What has changed places is so near to where the other was.
-constexpr double same_place = 0.05;
-
-double distance(const Spot& a, const Spot& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
 
 std::string noun(const RandomThing& x) {
   return "the " + x.colour + ' ' + (x.shape == "sphere" ? "ball" : x.shape);
-}
-
-/// The one that the simulated table calls so.
-std::map<std::string, const RandomThing*> by_name(const TableTask& task) {
-  std::map<std::string, const RandomThing*> result;
-  for (const auto& x : task.things) {
-    auto name = x.name();
-    for (int i = 2; result.contains(name); ++i)
-      name = x.name() + ' ' + std::to_string(i);
-    result[name] = &x;
-  }
-  return result;
-}
-
-bool is_at(const std::string& relation, const RandomThing& thing, const Spot& at,
-           const RandomThing& landmark, const Spot& other, bool is_strict) {
-  if (relation == "near")
-    return distance(at, other) - (thing.size + landmark.size) / 2 <=
-           near_gap + (is_strict ? 0 : gap_tolerance);
-  const Spot front{viewer.x - other.x, viewer.y - other.y};
-  const std::map<std::string, Spot> axes{{"front", front},
-                                         {"back", {-front.x, -front.y}},
-                                         {"left", {front.y, -front.x}},
-                                         {"right", {-front.y, front.x}}};
-  const auto& axis = axes.at(relation);
-  const Spot way{at.x - other.x, at.y - other.y};
-  const double along = way.x * axis.x + way.y * axis.y;
-  return std::acos(along / std::hypot(way.x, way.y) / std::hypot(axis.x, axis.y)) <=
-         most_off + (is_strict ? 0 : angle_tolerance);
-}
-
-/// How far beyond the table's middle, on that side.
-double on_side(const std::string& side, const Spot& at) {
-  return side == "left" ? -at.x : side == "right" ? at.x : side == "front" ? -at.y : at.y;
-}
-
-bool is_wholly_on(const std::string& side, const RandomThing& x, const Spot& at) {
-  return on_side(side, at) > x.size / 2 + gap_tolerance;
-}
-
-/// Colours from the left, by the middles of their things.
-std::vector<std::string> colours_from_left(const std::vector<RandomThing>& things) {
-  std::map<std::string, std::pair<double, int>> sums;
-  for (const auto& x : things) {
-    sums[x.colour].first += x.x;
-    ++sums[x.colour].second;
-  }
-  std::vector<std::pair<double, std::string>> means;
-  for (const auto& [colour, sum] : sums)
-    means.emplace_back(sum.first / sum.second, colour);
-  std::ranges::sort(means);
-  std::vector<std::string> result;
-  for (auto& [x, colour] : means)
-    result.push_back(std::move(colour));
-  return result;
 }
 
 bool is_sorted_already(const std::vector<RandomThing>& things) {
@@ -148,125 +67,6 @@ std::string sentence_of(const TableTask& task) {
       return "Swap " + first + " and " + second + '.';
   }
   return {};
-}
-
-/// Makes plans by the true places, one thing after the other.
-class TrueTable {
-public:
-  TrueTable(const TableTask& task, const std::string& arm_file)
-    : at_(arm_placement(benchmark_arm_at)), arm_(load_arm(arm_file).arm),
-      rest_(arm_posture(arm_, benchmark_arm_rest)), things_(by_name(task)),
-      planner_(arm_, options()) {
-    const auto parsed = vision::parse_tabletop_scene(scene_text(task.things), "scene");
-    scene_ = TableThings(parsed.scene.at(vision::SceneTime{0}), at_).world().scene();
-  }
-
-  Spot spot(const std::string& name) const {
-    const auto found = std::ranges::find(scene_.things, name, &NamedSolid::name);
-    const auto at = geometry::transform(at_, found->pose.position);
-    return {at.x, at.y};
-  }
-
-  const std::map<std::string, const RandomThing*>& things() const { return things_; }
-
-  bool take(const std::string& name) { return keep(planner_.pick(scene_, name, rest_)); }
-
-  bool move(const std::string& name, const Spot& to) {
-    PlaceGoal goal;
-    goal.bottom = geometry::transform(geometry::inverse(at_, arm_frame), Point3{to.x, to.y, 0});
-    goal.radius = 0.01;
-    goal.support = "the table";
-    const auto result = planner_.pick_and_place(scene_, name, goal, rest_);
-    if (!keep(result))
-      return false;
-    std::ranges::find(scene_.things, name, &NamedSolid::name)->pose =
-      *std::get<ManipulationPlan>(result).goal;
-    return true;
-  }
-
-  /// To one of the free places that will do, the nearest first.
-  bool move(const std::string& name, const std::function<bool(const Spot&)>& will_do) {
-    const auto from = spot(name);
-    std::vector<Spot> free;
-    constexpr double step = 0.02;
-    const double radius = things_.at(name)->size / 2;
-    for (double x = -half_width + radius; x <= half_width - radius; x += step)
-      for (double y = -half_depth + radius; y <= half_depth - radius; y += step)
-        if (will_do({x, y}) && is_free(name, {x, y}))
-          free.push_back({x, y});
-    if (free.empty())
-      failure_ = "there is no free place";
-    std::ranges::sort(free, {}, [&](const Spot& x) { return distance(x, from); });
-    std::vector<Spot> tried;
-    for (const auto& x : free) {
-      if (std::ranges::any_of(tried, [&](const Spot& y) { return distance(x, y) < 0.05; }))
-        continue;
-      if (move(name, x))
-        return true;
-      tried.push_back(x);
-      if (tried.size() == most_places)
-        break;
-    }
-    return false;
-  }
-
-  const std::string& failure() const { return failure_; }
-
-private:
-  static constexpr std::size_t most_places = 20;
-
-  static ManipulationOptions options() {
-    ManipulationOptions result;
-    result.grasps.spare = 0.024;
-    result.motions.time_limit = 1;
-    return result;
-  }
-
-  bool is_free(const std::string& name, const Spot& at) const {
-    constexpr double gap = 0.02;
-    return std::ranges::all_of(things_, [&](const auto& x) {
-      return x.first == name ||
-             distance(spot(x.first), at) > (x.second->size + things_.at(name)->size) / 2 + gap;
-    });
-  }
-
-  bool keep(const ManipulationResult& result) {
-    if (const auto* failure = std::get_if<MotionFailure>(&result))
-      failure_ = failure->text;
-    return std::holds_alternative<ManipulationPlan>(result);
-  }
-
-  Pose at_;
-  ArmModel arm_;
-  Configuration rest_;
-  std::map<std::string, const RandomThing*> things_;
-  ManipulationPlanner planner_;
-  Scene scene_;
-  std::string failure_;
-};
-
-/// Things that are to be moved, and the places that will do for them.
-using Moves = std::vector<std::pair<std::string, std::function<bool(const Spot&)>>>;
-
-/// Each as soon as it is possible.
-bool can_do_all(TrueTable& table, Moves moves) {
-  while (!moves.empty()) {
-    const auto done =
-      std::ranges::find_if(moves, [&](const auto& x) { return table.move(x.first, x.second); });
-    if (done == moves.end())
-      return false;
-    moves.erase(done);
-  }
-  return true;
-}
-
-bool can_swap(TrueTable& table, const std::string& a, const std::string& b) {
-  const auto first = table.spot(a);
-  const auto second = table.spot(b);
-  const auto between = [&](const Spot& x) {
-    return distance(x, first) > 0.1 && distance(x, second) > 0.1;
-  };
-  return table.move(a, between) && table.move(b, first) && table.move(a, second);
 }
 
 } // namespace
@@ -339,51 +139,6 @@ std::string what_is_wrong(const TableTask& task, const std::vector<TrueThing>& t
       break;
   }
   return {};
-}
-
-std::string why_unsolvable(const TableTask& task, const std::string& arm_file) {
-  TrueTable table(task, arm_file);
-  const auto& a = task.things[0];
-  const auto& b = task.things[1];
-  bool is_solvable = false;
-  Moves moves;
-  switch (task.kind) {
-    case TaskKind::put:
-      is_solvable = table.move(a.name(), [&](const Spot& x) {
-        return is_at(task.relation, a, x, b, {b.x, b.y}, true);
-      });
-      break;
-    case TaskKind::take:
-      is_solvable = table.take(a.name());
-      break;
-    case TaskKind::swap:
-      is_solvable = can_swap(table, a.name(), b.name());
-      break;
-    case TaskKind::clear: {
-      for (const auto& [name, x] : table.things())
-        if (is_wholly_on(task.relation, *x, {x->x, x->y}))
-          moves.emplace_back(name, [&task, x = x](const Spot& to) {
-            return on_side(task.relation, to) < -x->size / 2;
-          });
-      is_solvable = can_do_all(table, moves);
-      break;
-    }
-    case TaskKind::sort: {
-      const auto colours = colours_from_left(task.things);
-      const double width = 2 * half_width / static_cast<double>(colours.size());
-      for (const auto& [name, x] : table.things()) {
-        const auto strip = std::ranges::find(colours, x->colour) - colours.begin();
-        const auto is_in = [width, strip](const Spot& at) {
-          return std::floor((at.x + half_width) / width) == static_cast<double>(strip);
-        };
-        if (!is_in({x->x, x->y}))
-          moves.emplace_back(name, is_in);
-      }
-      is_solvable = can_do_all(table, moves);
-      break;
-    }
-  }
-  return is_solvable ? std::string{} : table.failure();
 }
 
 } // namespace castor::manipulation

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,22 @@ TableTask random_table_task(std::uint64_t seed);
 /// Why it is not so by the true places of things, in the table's frame; empty if it is so.
 std::string what_is_wrong(const TableTask& task, const std::vector<TrueThing>& things);
 
-/// Why no plan was found by the true places of things; empty if there is one. Of several things to
-/// be moved, the order is tried in which they are possible.
+/// A joint that does not move any more.
+struct StillJoint {
+  /// Of those that move, from the base on.
+  std::size_t index = 0;
+  /// Radians.
+  double at = 0;
+};
+
+/// Why no plan was found by the true places of things, neither from the table as it was nor as it
+/// is now; empty if there is one. Of several things to be moved, the order is tried in which they
+/// are possible, of two that change places both orders, with up to 20 places between.
 /// @param arm_file of the arm
-std::string why_unsolvable(const TableTask& task, const std::string& arm_file);
+/// @param still no plan needs this joint
+/// @param now true places; empty, or if not all stand on the table: does not count
+std::string why_unsolvable(const TableTask& task, const std::string& arm_file,
+                           const std::optional<StillJoint>& still = {},
+                           const std::vector<TrueThing>& now = {});
 
 } // namespace castor::manipulation

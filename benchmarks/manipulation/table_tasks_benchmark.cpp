@@ -14,6 +14,7 @@
 #include "castor/benchmarks/manipulation/table_tasks.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/planning/continual/types.hpp"
+#include "castor/planning/manipulation/arm_file.hpp"
 #include "castor/planning/manipulation/types.hpp"
 #include "castor/planning/motivation/types.hpp"
 #include "castor/tools/testing/test_system.hpp"
@@ -45,6 +46,8 @@ using planning::ContinualPlanning;
 using planning::MotiveAcknowledgement;
 using planning::MotiveReply;
 
+constexpr const char* arm_file = CASTOR_CONFIGS "/arms/katana.arm";
+
 struct Result {
   bool is_accepted = false;
   /// What the robot said last.
@@ -57,6 +60,9 @@ struct Result {
   /// Steps that succeeded, and those of the last plan.
   std::string steps;
   ArmStatus truth;
+  /// At the end, and when that was since the system began.
+  std::vector<double> joints;
+  Timestamp end{0};
 };
 
 struct Asked {
@@ -118,6 +124,8 @@ class TaskListener final : public UnmanagedComponent {
         result.steps += ' ' + step.action + ',';
     }
     result.truth = *pull<ArmStatus>("arm");
+    result.joints = pull<ArmState>("arm")->positions;
+    result.end = now();
     asked().is_over = true;
   }
 };
@@ -143,6 +151,21 @@ std::map<std::string, std::string> fault_of(std::uint64_t seed) {
     default:
       return {{"arm_delay", std::to_string(100 + random() % 150) + "ms"}};
   }
+}
+
+/// The joint that has stuck meanwhile.
+std::optional<StillJoint> still_joint(std::uint64_t seed, const Result& result) {
+  const auto fault = fault_of(seed);
+  const auto sticks = fault.find("sticking_joint");
+  if (sticks == fault.end() ||
+      result.end < std::chrono::milliseconds{std::atoi(fault.at("sticks_after").c_str())})
+    return {};
+  const auto arm = load_arm(arm_file).arm;
+  const auto moving = moving_joints(arm);
+  const auto found = std::ranges::find(
+    moving, sticks->second, [&](std::size_t i) { return arm.joints[i].name; });
+  const auto index = static_cast<std::size_t>(found - moving.begin());
+  return StillJoint{index, result.joints.at(index)};
 }
 
 std::string words_of(const std::map<std::string, std::string>& fault) {
@@ -178,7 +201,10 @@ Result run(const TableTask& task, const std::string& scene_file, const std::stri
 }
 
 struct Figures {
+  /// Whatever the fault.
   int solvable = 0;
+  /// Of these, those that are not any more with the joint that has stuck.
+  int prevented = 0;
   int done = 0;
   int unsolvable = 0;
   int said_wrongly = 0;
@@ -199,10 +225,14 @@ int measure(std::uint64_t from, int count, const std::string& output) {
     const auto result = run(task, scene_file.string(), output, seed);
     const auto wrong = what_is_wrong(task, result.truth.things);
     // What was done has a plan.
-    const auto why_not =
-      wrong.empty() ? wrong : why_unsolvable(task, CASTOR_CONFIGS "/arms/katana.arm");
+    const auto why_not = wrong.empty() ? wrong : why_unsolvable(task, arm_file);
+    const auto still = still_joint(seed, result);
+    const auto prevented = wrong.empty() || !why_not.empty() || !still
+                             ? std::string{}
+                             : why_unsolvable(task, arm_file, still, result.truth.things);
     auto& x = figures[static_cast<std::size_t>(task.kind)];
     (why_not.empty() ? x.solvable : x.unsolvable) += 1;
+    x.prevented += !prevented.empty();
     x.done += wrong.empty();
     x.said_wrongly += result.says_done != wrong.empty();
     x.collisions += result.truth.collisions;
@@ -212,12 +242,13 @@ int measure(std::uint64_t from, int count, const std::string& output) {
       x.seconds.push_back(result.seconds);
     fmt::print(
       "{}: {} [{}] {}{}: \"{}\"; {:.0f} s, {} tries, {} replans, {} missed, {} dropped, {} "
-      "collisions{}{}\n",
+      "collisions{}{}{}\n",
       seed, task.sentence, words_of(fault_of(seed)), wrong.empty() ? "done" : "NOT done: ", wrong,
       result.said, result.seconds, result.tries, result.replans, result.truth.missed,
       result.truth.dropped, result.truth.collisions,
       result.truth.collisions > 0 ? " (" + result.truth.collision + ")" : "",
-      why_not.empty() ? "" : "; not solvable: " + why_not);
+      why_not.empty() ? "" : "; not solvable: " + why_not,
+      prevented.empty() ? "" : "; not solvable with the joint stuck: " + prevented);
     if (!wrong.empty())
       fmt::print("  {}\n", result.steps);
     std::fflush(stdout);
@@ -225,10 +256,10 @@ int measure(std::uint64_t from, int count, const std::string& output) {
   std::filesystem::remove(scene_file);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const auto& x = figures[i];
-    fmt::print("{}: {} of {} solvable done, {} not solvable, {} said wrongly, median {:.0f} s, {} "
-               "tries, {} replans, {} collisions\n",
-               task_kinds[i], x.done, x.solvable, x.unsolvable, x.said_wrongly, median(x.seconds),
-               x.tries, x.replans, x.collisions);
+    fmt::print("{}: {} of {} solvable done ({} prevented by a joint), {} not solvable, {} said wrongly, "
+               "median {:.0f} s, {} tries, {} replans, {} collisions\n",
+               task_kinds[i], x.done, x.solvable, x.prevented, x.unsolvable, x.said_wrongly,
+               median(x.seconds), x.tries, x.replans, x.collisions);
   }
   return 0;
 }
