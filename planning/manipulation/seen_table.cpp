@@ -27,6 +27,15 @@ constexpr double pixel_uncertainty = 0.001;
 // Of what is known by its box only.
 constexpr double box_uncertainty = 0.005;
 
+// What is no flat piece is not seen to be flatter or thinner, metres.
+constexpr double least_thickness = 0.01;
+
+/// What is partly hidden may fit best to a mere slice.
+bool is_plausible(const std::string& shape, const Solid& solid) {
+  const bool is_solid = shape == "cube" || shape == "sphere" || shape == "cylinder";
+  return !is_solid || std::min({solid.size.x, solid.size.y, solid.size.z}) >= least_thickness;
+}
+
 std::string description_of(const vision::SceneObject& x) {
   const bool has_colour = x.colour.value != vision::Hypothesis{}.value;
   const bool has_shape = x.shape.value != vision::Hypothesis{}.value;
@@ -45,7 +54,8 @@ std::optional<SeenSolid> solid_of(const vision::SceneObject& x, const SeenEntrie
     if (!fitted || fitted->error > good_fit)
       for (const char* shape : {"cylinder", "box"})
         if (auto other = seen_solid(shape, contour, *entries.camera);
-            other && (!fitted || other->error < fitted->error))
+            other && is_plausible(x.shape.value, other->solid) &&
+            (!fitted || other->error < fitted->error))
           fitted = std::move(other);
     if (fitted && fitted->error <= worst_fit)
       return fitted;

@@ -54,6 +54,13 @@ Explanation explanation_of(const std::vector<Refusal>& refusals) {
   return best == nullptr ? Explanation{} : Explanation{best->reason, {}};
 }
 
+std::string with_joints(std::string reason, const std::vector<std::string>& joints) {
+  for (const auto& joint : joints)
+    if (reason.find("joint " + joint) == std::string::npos)
+      reason += "; the arm's joint " + joint + " does not move any more";
+  return reason;
+}
+
 std::string with_words(std::string_view text, const std::map<std::string, std::string>& words) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {

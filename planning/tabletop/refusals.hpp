@@ -29,6 +29,9 @@ struct Explanation {
 /// least half of them, otherwise the most frequent reason. Of equals, the first.
 Explanation explanation_of(const std::vector<Refusal>& refusals);
 
+/// The reason, with the joints of the arm that do not move any more, if it does not name them.
+std::string with_joints(std::string reason, const std::vector<std::string>& joints);
+
 /// The text, with other words in place of some.
 /// @param words "ball" for "sphere"
 std::string with_words(std::string_view text, const std::map<std::string, std::string>& words);

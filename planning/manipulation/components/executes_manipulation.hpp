@@ -92,6 +92,7 @@ protected:
     told_.time = now().count();
     told_.holds = held_ ? held_->name : std::string{};
     told_.held = {};
+    told_.still_joints = still_joints_;
     if (held_ && !held_thing_.id.empty())
       told_.held = seen_as(held_thing_.id);
     put(here(component_name()), told_);

@@ -44,8 +44,11 @@ class TableExecutor final : public KnowsTable {
         if (refusals_.empty())
           refusals_.push_back({result.reason});
         const auto why = explanation_of(refusals_);
+        const auto told = read_all_in<manipulation::Manipulation>(manipulation(), 1);
+        const auto reason =
+          told.empty() ? why.reason : with_joints(why.reason, told.front()->still_joints);
         put(here(table_problem),
-            TableProblem{with_words(why.reason, nouns()), with_words(why.help, nouns())});
+            TableProblem{with_words(reason, nouns()), with_words(why.help, nouns())});
       }
       return result;
     });

@@ -7,6 +7,7 @@
 #include "castor/perception/vision/segmentation/size_limits.hpp"
 #include "castor/perception/vision/tabletop/tabletop_renderer.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
+#include "castor/planning/manipulation/seen_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -86,6 +87,32 @@ TEST(SeenSolid, AFlatPieceIsFlat) {
   EXPECT_LT(off(*x), 0.004);
   EXPECT_NEAR(x->solid.solid.size.x, 0.09, 0.004);
   EXPECT_NEAR(x->solid.solid.size.z, 0.005, 1e-9);
+}
+
+/// As what is nearly hidden may look, or be taken for.
+TEST(SeenSolid, WhatIsNoFlatPieceIsNotSeenAsASlice) {
+  const auto scene =
+    vision::parse_tabletop_scene("camera 0 -0.34 0.92 looking-at 0 0.02 0 fov 38\n"
+                                 "red rectangle at 0.1 0 size 0.05 0.09 turned 20\n",
+                                 "test")
+      .scene;
+  const auto picture = vision::render(scene.at(vision::SceneTime{0}), scene.camera);
+  const auto segments = vision::segment_table(picture, &scene.camera, {}, {});
+  ASSERT_EQ(segments.size(), 1U);
+  for (const auto* shape : {"cube", "rectangle"}) {
+    SeenEntries entries;
+    entries.camera = scene.camera;
+    entries.regions["r"].contour = segments.front().contour;
+    vision::SceneObject object;
+    object.shape = {shape, 0.9};
+    object.roi_ids = {"r"};
+    object.box = {{0.1, 0, 0.025}, {0.05, 0.05, 0.05}, "table"};
+    entries.objects["1"] = object;
+    const auto things = seen_things(entries, {{0, -0.37, 0}, {}, "table"});
+    ASSERT_EQ(things.size(), 1U) << shape;
+    const bool is_flat = things.front().thing.solid.size.z < 0.01;
+    EXPECT_EQ(is_flat, shape == std::string("rectangle")) << shape;
+  }
 }
 
 TEST(SeenSolid, WhatDoesNotFitHasALargeError) {

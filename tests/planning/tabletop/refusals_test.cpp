@@ -30,6 +30,14 @@ TEST(Refusals, NothingExplainsNothing) {
   EXPECT_EQ(explanation_of({}), Explanation{});
 }
 
+TEST(Refusals, NameTheJointsThatDoNotMove) {
+  EXPECT_EQ(with_joints("its place is out of reach", {"lift"}),
+            "its place is out of reach; the arm's joint lift does not move any more");
+  EXPECT_EQ(with_joints("it is too far; its joint lift does not move any more", {"lift"}),
+            "it is too far; its joint lift does not move any more");
+  EXPECT_EQ(with_joints("it is too far", {}), "it is too far");
+}
+
 TEST(Refusals, AreSaidInWordsThatPeopleUse) {
   const std::map<std::string, std::string> words{{"sphere", "ball"}};
   EXPECT_EQ(with_words("the red sphere, 0.06 m: spheres", words), "the red ball, 0.06 m: spheres");
