@@ -53,8 +53,8 @@ public:
     const auto before = scene_;
     auto& thing = *std::ranges::find(scene_.things, name, &NamedSolid::name);
     for (int i = 0; i < (between ? 2 : 0); ++i) {
-      const auto plan = plan_way_between(planner_, scene_, name, goal,
-                                         free_places(others(name), thing.solid.size.x), rest_);
+      const auto plan = plan_way_between(
+        planner_, scene_, name, goal, free_places(others(name), thing.solid.size.x, true), rest_);
       if (plan)
         thing.pose = *plan->goal;
     }
@@ -67,8 +67,9 @@ public:
   }
 
   /// To one of the free places that will do, the nearest first, and such that `then` can be done.
-  bool move(const std::string& name, const std::function<bool(const Spot&)>& will_do,
-            const std::function<bool()>& then = [] { return true; }) {
+  bool move(
+    const std::string& name, const std::function<bool(const Spot&)>& will_do,
+    const std::function<bool()>& then = [] { return true; }) {
     const auto from = spot(name);
     const auto before = scene_;
     std::vector<Spot> free;
@@ -244,8 +245,9 @@ std::string why_unsolvable(const TableTask& task, const std::string& arm_file,
   if (still)
     arm = with_still_joint(arm, still->index, still->at);
   auto result = why_unsolvable_from(task, task.things, arm, kept_within_limits(arm, rest));
-  const bool all_stand =
-    !now.empty() && std::ranges::all_of(now, [](const auto& x) { return x.support == "the table"; });
+  const bool all_stand = !now.empty() && std::ranges::all_of(now, [](const auto& x) {
+    return x.support == "the table";
+  });
   if (!result.empty() && all_stand)
     result = why_unsolvable_from(task, things_now(task, now), arm, kept_within_limits(arm, rest));
   return result;

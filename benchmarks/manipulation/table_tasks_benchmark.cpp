@@ -162,8 +162,8 @@ std::optional<StillJoint> still_joint(std::uint64_t seed, const Result& result) 
     return {};
   const auto arm = load_arm(arm_file).arm;
   const auto moving = moving_joints(arm);
-  const auto found = std::ranges::find(
-    moving, sticks->second, [&](std::size_t i) { return arm.joints[i].name; });
+  const auto found =
+    std::ranges::find(moving, sticks->second, [&](std::size_t i) { return arm.joints[i].name; });
   const auto index = static_cast<std::size_t>(found - moving.begin());
   return StillJoint{index, result.joints.at(index)};
 }
@@ -256,10 +256,11 @@ int measure(std::uint64_t from, int count, const std::string& output) {
   std::filesystem::remove(scene_file);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const auto& x = figures[i];
-    fmt::print("{}: {} of {} solvable done ({} prevented by a joint), {} not solvable, {} said wrongly, "
-               "median {:.0f} s, {} tries, {} replans, {} collisions\n",
-               task_kinds[i], x.done, x.solvable, x.prevented, x.unsolvable, x.said_wrongly,
-               median(x.seconds), x.tries, x.replans, x.collisions);
+    fmt::print(
+      "{}: {} of {} solvable done ({} prevented by a joint), {} not solvable, {} said wrongly, "
+      "median {:.0f} s, {} tries, {} replans, {} collisions\n",
+      task_kinds[i], x.done, x.solvable, x.prevented, x.unsolvable, x.said_wrongly,
+      median(x.seconds), x.tries, x.replans, x.collisions);
   }
   return 0;
 }

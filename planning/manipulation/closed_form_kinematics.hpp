@@ -21,8 +21,8 @@ public:
     /// Within (-pi, pi], or turned by whole turns into the limits where that is possible.
     Configuration configuration;
     bool is_within_limits = false;
-    /// Whether the tool is turned as asked; otherwise only its position and its tilt are right. With
-    /// a roll that stands still, it may be turned about its own axis by up to 5 degrees.
+    /// Whether the tool is turned as asked; otherwise only its position and its tilt are right.
+    /// With a roll that stands still, it may be turned about its own axis by up to 5 degrees.
     bool has_rotation = false;
   };
 

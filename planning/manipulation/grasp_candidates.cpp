@@ -77,9 +77,8 @@ class Candidates {
 public:
   Candidates(const ArmModel& arm, const NamedSolid& thing, const GraspOptions& options)
     : gripper_(*arm.gripper), thing_(thing), options_(options),
-      turns_(std::ranges::any_of(arm.joints, stands_still)
-               ? std::max(options.turns, still_turns)
-               : options.turns),
+      turns_(std::ranges::any_of(arm.joints, stands_still) ? std::max(options.turns, still_turns)
+                                                           : options.turns),
       position_(geometry::to_eigen(thing.pose.position)) {
     // nop
   }

@@ -39,17 +39,16 @@ std::vector<Point3> points_of(const Solid& solid) {
       for (int i = 0; i < around; ++i)
         for (const double share : {0.0, 0.5, 1.0}) {
           const double angle = 2 * std::numbers::pi * i / around;
-          result.push_back({share * half.x * std::cos(angle), share * half.x * std::sin(angle),
-                            z * half.z});
+          result.push_back(
+            {share * half.x * std::cos(angle), share * half.x * std::sin(angle), z * half.z});
         }
   return result;
 }
 
 std::size_t count_in_sight(const Solid& solid, const Pose& pose, const geometry::Camera& camera) {
   const auto points = points_of(solid);
-  return static_cast<std::size_t>(std::ranges::count_if(points, [&](const Point3& x) {
-    return is_in_picture(geometry::transform(pose, x), camera);
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+    points, [&](const Point3& x) { return is_in_picture(geometry::transform(pose, x), camera); }));
 }
 
 } // namespace
@@ -80,9 +79,8 @@ std::vector<Configuration> hidden_postures(const ArmModel& arm, const Scene& sce
   for (int i = 0; i < candidates; ++i) {
     auto& x = all.emplace_back();
     for (const auto index : moving)
-      x.push_back(arm.joints[index].lower +
-                  (arm.joints[index].upper - arm.joints[index].lower) *
-                    std::uniform_real_distribution(0.0, 1.0)(random));
+      x.push_back(arm.joints[index].lower + (arm.joints[index].upper - arm.joints[index].lower) *
+                                              std::uniform_real_distribution(0.0, 1.0)(random));
   }
   std::ranges::sort(all, {}, [&](const auto& x) { return distance(x, first); });
   all.insert(all.begin(), first);

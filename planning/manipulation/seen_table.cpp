@@ -112,7 +112,7 @@ const SeenThing* find_like(const std::vector<SeenThing>& things, const SeenThing
   return best;
 }
 
-std::vector<Point3> free_places(const std::vector<SeenThing>& things, double width) {
+std::vector<Point3> free_places(const std::vector<SeenThing>& things, double width, bool wide) {
   // For the fingers, metres.
   constexpr double gap = 0.04;
   // Where who looks at the table still sees it, metres.
@@ -122,7 +122,8 @@ std::vector<Point3> free_places(const std::vector<SeenThing>& things, double wid
     for (const double degrees : {0.0, -12.0, 12.0, -24.0, 24.0, -36.0, 36.0, -48.0, 48.0}) {
       const double angle = degrees * std::numbers::pi / 180;
       const Point3 place{distance * std::cos(angle), distance * std::sin(angle), 0};
-      if (std::abs(place.y) > most_aside)
+      const bool is_in_middle = distance > 0.27 && std::abs(degrees) < 25;
+      if (std::abs(place.y) > most_aside || (!wide && !is_in_middle))
         continue;
       double room = std::numeric_limits<double>::infinity();
       for (const auto& x : things)

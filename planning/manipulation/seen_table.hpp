@@ -47,7 +47,9 @@ const SeenThing* find_like(const std::vector<SeenThing>& things, const SeenThing
 /// Places of the table before an arm, in its frame, where a thing has room between those that are
 /// seen; the one with the most room first.
 /// @param width of the thing, metres
-std::vector<Point3> free_places(const std::vector<SeenThing>& things, double width);
+/// @param wide also near to the arm and far to the side, where eyes are less exact
+std::vector<Point3> free_places(const std::vector<SeenThing>& things, double width,
+                                bool wide = false);
 
 /// Horizontal distance, metres.
 double distance_on_table(const Point3& a, const Point3& b);

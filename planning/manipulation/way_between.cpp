@@ -22,7 +22,7 @@ std::vector<double> turns_of(const NamedSolid& thing) {
 class WayBetween {
 public:
   WayBetween(const ManipulationPlanner& planner, const Scene& scene, std::string thing,
-         const PlaceGoal& goal, const Configuration& start)
+             const PlaceGoal& goal, const Configuration& start)
     : planner_(planner), scene_(scene), thing_(std::move(thing)), goal_(goal), start_(start),
       turns_(turns_of(named(scene, thing_))) {
     // nop
@@ -39,8 +39,7 @@ public:
     for (const auto& place : places)
       if (auto plan = plan_to(between(place, 0), [&](const Pose& there) {
             return std::ranges::any_of(turns_, [&](double turn) {
-              const auto turned =
-                turn == 0 ? std::nullopt : landing(there, between(place, turn));
+              const auto turned = turn == 0 ? std::nullopt : landing(there, between(place, turn));
               return turned && landing(*turned, goal_);
             });
           }))

@@ -46,8 +46,8 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
   const auto best = best_of(features.shapes);
   const bool is_sure = best.value != Hypothesis{}.value && best.confidence >= shape.sure;
   if (!fit.empty() && !features.shape_evidence.empty() && !is_sure)
-    features.shapes = classify_shape(features.shape_evidence, shape, network,
-                                     outline_deviations(roi, *camera));
+    features.shapes =
+      classify_shape(features.shape_evidence, shape, network, outline_deviations(roi, *camera));
   if (camera != nullptr) {
     const bool flat = is_flat_shape(best_of(features.shapes).value);
     features.extent = extent_on_table(*camera, roi.contour, flat).value_or(AlignedBox{});

@@ -101,8 +101,7 @@ class ArmExecutor final : public ExecutesManipulation {
       for (const auto& x : free_places(things_, held_->solid.size.x)) {
         held_->pose = pose;
         const PlaceGoal goal{x, 0, "the table", "a free place"};
-        const auto plan =
-          planned([&] { return planner_->place(scene(), goal, joints()); });
+        const auto plan = planned([&] { return planner_->place(scene(), goal, joints()); });
         if (!plan)
           continue;
         const auto carried = carry_out_all(*plan);
@@ -174,9 +173,8 @@ class ArmExecutor final : public ExecutesManipulation {
         return ActionResult::failed(told_.reason);
       const bool holds = held_ && state()->holds;
       auto plan = planned([&] {
-        return holds
-                 ? planner_->place(scene(), *goal, joints())
-                 : planner_->pick_and_place(scene(), thing.thing.name, *goal, joints());
+        return holds ? planner_->place(scene(), *goal, joints())
+                     : planner_->pick_and_place(scene(), thing.thing.name, *goal, joints());
       });
       if (!plan && holds)
         return grasped_anew();
@@ -193,8 +191,9 @@ class ArmExecutor final : public ExecutesManipulation {
   /// To be tried again from there.
   std::optional<ActionResult> put_between(const SeenThing& thing, const PlaceGoal& goal) {
     const auto reason = told_.reason;
-    const auto plan = plan_way_between(*planner_, scene(), thing.thing.name, goal,
-                                       free_places(things_, thing.thing.solid.size.x), joints());
+    const auto plan =
+      plan_way_between(*planner_, scene(), thing.thing.name, goal,
+                       free_places(things_, thing.thing.solid.size.x, true), joints());
     if (!plan)
       return ActionResult::failed(reason);
     told_.plans += plan->motions;
@@ -224,8 +223,7 @@ class ArmExecutor final : public ExecutesManipulation {
                                   ": it has to be put down before");
     return with_thing(x.what, [&](const SeenThing& thing) -> std::optional<ActionResult> {
       told_.task = "take " + thing.thing.name;
-      auto plan =
-        planned([&] { return planner_->pick(scene(), thing.thing.name, joints()); });
+      auto plan = planned([&] { return planner_->pick(scene(), thing.thing.name, joints()); });
       if (!plan)
         return ActionResult::failed(told_.reason);
       if (const auto carried = carry_out_all(*plan); !carried.is_done)
@@ -264,8 +262,8 @@ class ArmExecutor final : public ExecutesManipulation {
     begin("push a thing aside", x.what);
     return with_thing(x.what, [&](const SeenThing& thing) -> std::optional<ActionResult> {
       told_.task = fmt::format("push {} aside by {:.2f} m", thing.thing.name, x.distance);
-      auto plan = planned(
-        [&] { return planner_->push(scene(), thing.thing.name, x.distance, joints()); });
+      auto plan =
+        planned([&] { return planner_->push(scene(), thing.thing.name, x.distance, joints()); });
       if (!plan)
         return ActionResult::failed(told_.reason);
       if (const auto carried = carry_out_all(*plan); !carried.is_done)

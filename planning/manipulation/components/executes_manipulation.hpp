@@ -334,7 +334,8 @@ protected:
 
   bool is_at_rest() const {
     constexpr double close = 0.02; // radians
-    return state() && state()->rests && manipulation::distance(state()->positions, rests_at_) < close;
+    return state() && state()->rests &&
+           manipulation::distance(state()->positions, rests_at_) < close;
   }
 
   bool is_to_end() {

@@ -143,14 +143,14 @@ TEST_F(CarriedOutPlans, PutAThingDownBetweenToHoldItInAnotherWay) {
   set_table({thing("the can", cylinder(0.05, 0.09), 0.2, 0, 0.045)});
   const auto far = at(0.46, 0.05);
   const auto scene = body_->world().scene();
-  ASSERT_TRUE(std::holds_alternative<MotionFailure>(
-    planner_.pick_and_place(scene, "the can", far, aside())));
-  const auto first = plan_way_between(planner_, scene, "the can", far, free_places({}, 0.05),
-                                      aside());
+  ASSERT_TRUE(
+    std::holds_alternative<MotionFailure>(planner_.pick_and_place(scene, "the can", far, aside())));
+  const auto first =
+    plan_way_between(planner_, scene, "the can", far, free_places({}, 0.05, true), aside());
   ASSERT_TRUE(first);
   ASSERT_TRUE(carry_out_all(*first)) << stopped_at_;
-  const auto then = expect_plan(planner_.pick_and_place(body_->world().scene(), "the can", far,
-                                                        body_->configuration()));
+  const auto then = expect_plan(
+    planner_.pick_and_place(body_->world().scene(), "the can", far, body_->configuration()));
   ASSERT_TRUE(carry_out_all(then)) << stopped_at_;
   EXPECT_NEAR(place_of("the can").x, 0.46, 0.012);
   EXPECT_EQ(body_->world().thing("the can").support, "the table");

@@ -15,8 +15,6 @@ namespace castor::manipulation {
 
 namespace {
 
-
-
 /// Those of the PlayMate, in the frame of its arm.
 geometry::Camera camera_above() {
   auto result = geometry::look_at({0, -0.34, 0.92}, {0, 0.02, 0}, 38, 640, 480, "table");

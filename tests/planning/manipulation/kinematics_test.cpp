@@ -132,7 +132,8 @@ TEST(ClosedFormKinematics, GraspsFromAboveWithAnyHeading) {
 TEST(ClosedFormKinematics, ARollThatStandsStillIsNearlyRight) {
   const auto roll = [](const ArmModel& arm, double heading) {
     std::vector<double> result;
-    for (const auto& x : InverseKinematics(arm).solve(from_above(0.25, 0.1, 0.1, heading), arm.home))
+    for (const auto& x :
+         InverseKinematics(arm).solve(from_above(0.25, 0.1, 0.1, heading), arm.home))
       result.push_back(x.back());
     return result;
   };

@@ -84,8 +84,7 @@ TEST(MotionPlanner, GoesOverAWallWithAJointThatStandsStill) {
   const auto arm = with_still_joint(katana(), roll, 0.7);
   const auto from = kept_within_limits(arm, right);
   const auto to = kept_within_limits(arm, left);
-  const auto result =
-    plan_motion(arm, {{table_top(2, 2), wall()}, {}}, from, {to}, "the left", {});
+  const auto result = plan_motion(arm, {{table_top(2, 2), wall()}, {}}, from, {to}, "the left", {});
   ASSERT_TRUE(std::holds_alternative<JointPath>(result)) << std::get<MotionFailure>(result).text;
   for (const auto& x : std::get<JointPath>(result).waypoints)
     EXPECT_NEAR(x[roll], 0.7, 1e-9);

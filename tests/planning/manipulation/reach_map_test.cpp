@@ -88,7 +88,8 @@ TEST(ReachMap, KnowsHowAThingIsHeld) {
   const GraspOptions options;
   // The hand points down, and forwards.
   EXPECT_EQ(ways_held({{}, turned(pi), "tool"}, options), 1U);
-  EXPECT_EQ(ways_held({{}, turned(pi / 2), "tool"}, options), std::uint32_t{1} << (options.tilts.size() - 1));
+  EXPECT_EQ(ways_held({{}, turned(pi / 2), "tool"}, options),
+            std::uint32_t{1} << (options.tilts.size() - 1));
   EXPECT_EQ(ways_held({{}, {}, "tool"}, options), ~0U);
 }
 

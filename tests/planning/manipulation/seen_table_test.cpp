@@ -59,6 +59,7 @@ TEST(SeenTable, ThingsWithoutAPlaceAreLeftOut) {
 TEST(SeenTable, FreePlacesAreAwayFromWhatIsSeen) {
   const auto all = free_places({}, 0.1);
   ASSERT_FALSE(all.empty());
+  EXPECT_GT(free_places({}, 0.1, true).size(), all.size());
   SeenEntries entries;
   entries.objects["1"] = object("red", "cube", 0.1, 0);
   entries.objects["2"] = object("blue", "cube", -0.05, 0.05);
