@@ -205,6 +205,8 @@ private:
 
   // -- phrases
   const Things& candidates(const Nominal& phrase);
+  const Nominal* room_asked_beside(const Nominal& asked) const;
+  void check_place_of_other_kind(const std::string& relation, const Nominal& anchor);
   Truth unfocused(const Nominal& phrase, const Property& scope, const Things& landmarks = {});
   Fitting members_of(const Nominal& phrase);
   Fitting presupposed(const Nominal& x);

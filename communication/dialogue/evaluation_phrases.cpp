@@ -99,7 +99,30 @@ const Evaluation::Things& Evaluation::candidates(const Nominal& phrase) {
   // What was spoken of, or is shown, may be anything.
   if (is_pronoun(phrase))
     return scene_.individuals();
+  if (const auto* room = room_asked_beside(phrase)) {
+    scene_.candidates(room->proposition);
+    return scene_.individuals();
+  }
   return phrase.sort == "thing" ? scene_.candidates(phrase.proposition) : scene_.things();
+}
+
+/// "What is next to the kitchen?" asks for rooms, too. Null for what does not.
+const Nominal* Evaluation::room_asked_beside(const Nominal& asked) const {
+  const auto* root = find_nominal(form_, form_.root);
+  if (asked.sort != "entity" || root == nullptr || root->sort != "ascription" ||
+      dependent(form_, *root, "Wh-Restr") != &asked)
+    return nullptr;
+  const auto* place = dependent(form_, *root, "Cop-Scope");
+  if (place == nullptr || place->sort != "region" ||
+      place->proposition == binding::containment_label)
+    return nullptr;
+  const auto* anchor = dependent(form_, *place, "Anchor");
+  if (anchor != nullptr && anchor->sort == "conjunction")
+    anchor = dependent(form_, *anchor, "First");
+  return anchor != nullptr && anchor->sort == "thing" &&
+             vocabulary().is_of_other_kind(anchor->proposition)
+           ? anchor
+           : nullptr;
 }
 
 bool Evaluation::is_addressee(const Nominal& phrase) {
@@ -369,7 +392,8 @@ Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
   if (auto named = is_named_by_sense(id, phrase))
     return *named;
   if (vocabulary().is_general(noun))
-    return truth_of(scene_.is_thing(id) || dependent(form_, phrase, "PartOf") != nullptr);
+    return truth_of(scene_.is_thing(id) || dependent(form_, phrase, "PartOf") != nullptr ||
+                    room_asked_beside(phrase) != nullptr);
   const auto has_name = scene_.has(id, named(noun));
   const auto& definition = vocabulary().definition(noun);
   // "Box" may mean a container or a cube: what there is.

@@ -175,6 +175,8 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
     not_understood(anchor->proposition);
   if (auto result = is_in_container_part(id, region))
     return *result;
+  if (anchor != nullptr)
+    check_place_of_other_kind(relation, *anchor);
   if (is_pointed_at(region)) {
     const auto there = antecedents_of(region.name + std::string{pointed_at});
     return truth_of(std::ranges::find(there, id) != there.end());
@@ -206,6 +208,17 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
       return is_directly(id, side, other);
     });
   return is_related(id, vocabulary().relation_of(relation).value_or(relation), *anchor);
+}
+
+/// Where rooms are to each other is known only as far as somebody tells it: that they adjoin, but
+/// not which is to the left of another.
+void Evaluation::check_place_of_other_kind(const std::string& relation, const Nominal& anchor) {
+  const auto& one = anchor.sort == "conjunction" ? need(anchor, "First") : anchor;
+  const auto label = vocabulary().relation_of(relation).value_or(relation);
+  if (one.sort == "thing" && vocabulary().is_of_other_kind(one.proposition) &&
+      label != binding::containment_label && !scene_.knows_relation(label) &&
+      !scene_.individuals().empty() && scene_.open_questions().empty())
+    throw Uninterpretable{Uninterpretable::Reason::unknown, one.name};
 }
 
 /// The room that the robot is in: "here".
@@ -290,8 +303,10 @@ Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& 
 
 Truth Evaluation::is_related(const std::string& id, const std::string& relation,
                              const Nominal& anchor) {
+  // Whether something is in its hand, the robot knows.
+  const bool is_own = feature(anchor, "Whose") == "yours";
   if (!vocabulary().is_spatial_relation(relation) && !scene_.knows_relation(relation) &&
-      !has_containers())
+      !has_containers() && !is_own)
     not_understood(relation);
   ScopedValue related{related_, id};
   return quantified(anchor, [&](const std::string& other) {
@@ -362,6 +377,10 @@ Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
       std::erase(others, x);
   if (std::ranges::find(others, id) == others.end())
     return scene_.open_questions().empty() ? Truth::no : Truth::unknown;
+  // How large rooms are nobody tells.
+  if (!scene_.is_thing(id) && !is_container(id) && others.size() > 1 &&
+      scene_.open_questions().empty() && !measure(id, how->dimension, anchor))
+    throw Uninterpretable{Uninterpretable::Reason::unknown, selection.name};
   std::size_t rank = 1;
   if (const auto* ordinal = dependent(form_, selection, "Rank"))
     rank = rank_of_word(ordinal->proposition).value_or(1);

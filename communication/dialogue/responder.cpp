@@ -107,6 +107,8 @@ Response Responder::to(const Uninterpretable& why) const {
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::word && (why.what == "i" || why.what == "you" || why.what == "we"))
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
+  if (why.reason == Reason::unknown)
+    return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::word || phrase == nullptr ||
       (phrase->sort != "thing" && phrase->sort != "person"))
     return {RhetoricalRelation::clarification_question,
@@ -114,7 +116,7 @@ Response Responder::to(const Uninterpretable& why) const {
             "I do not know what '" + (phrase == nullptr ? why.what : phrase->proposition) +
               "' means here.",
             {}};
-  if (why.reason == Reason::unknown || phrase->sort == "person")
+  if (phrase->sort == "person")
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::unknown_kind)
     return {RhetoricalRelation::answer,

@@ -73,10 +73,45 @@ TEST_F(ShownRooms, AreWhereTheRobotIs) {
 
 TEST_F(ShownRooms, AreBesideOthers) {
   world.relate("in", "self", "room");
+  expect_reply("What is next to the kitchen?", "There is a corridor and a living room.");
   expect_reply("Which rooms are next to the kitchen?", "There is a corridor and a living room.");
+  expect_reply("What is near the office?", "There is a corridor.");
+  for (auto* sentence :
+       {"What is beside the kitchen?", "What's near the kitchen?",
+        "Which rooms adjoin the kitchen?", "What rooms are next to the kitchen?",
+        "What is adjacent to the kitchen?", "Which rooms are near the kitchen?",
+        "Which rooms are beside the kitchen?", "What lies next to the kitchen?",
+        "What rooms are adjacent to the kitchen?", "Which rooms are connected to the kitchen?",
+        "Which rooms are close to the kitchen?", "What room is next to the kitchen?",
+        "Which room is next to the kitchen?"})
+    expect_reply(sentence, "There is a corridor and a living room.");
+  expect_reply("How many rooms are next to the kitchen?",
+               "There are two rooms next to the kitchen.");
+  expect_reply("What is next to this room?", "There is a corridor.");
+  expect_reply("Does the kitchen adjoin the office?", "No.");
+  expect_reply("Does the kitchen border on the corridor?", "Yes.");
   expect_reply("Is the kitchen next to the corridor?", "Yes.");
   expect_reply("Is the kitchen next to the office?", "No.");
   expect_reply("Where is the living room?", "It is near the kitchen.");
+}
+
+TEST_F(ShownRooms, AreCounted) {
+  world.relate("in", "self", "room");
+  expect_reply("How many rooms are there?", "There are five rooms.");
+  expect_reply("Which rooms are there?",
+               "There is a corridor, a kitchen, a living room, an office and a room.");
+}
+
+// Only that they adjoin is known, not where they are, nor how large.
+TEST_F(ShownRooms, AreNotSaidToBeWhereNobodyKnows) {
+  world.relate("in", "self", "room");
+  for (auto* sentence :
+       {"What is behind the kitchen?", "Which room is to the left of the kitchen?",
+        "Is the office to the left of the kitchen?", "What is in front of the kitchen?",
+        "Which room is the biggest?", "Which is the biggest room?", "What is the largest room?",
+        "Is the kitchen bigger than the office?", "What is the nearest room?",
+        "What is between the kitchen and the office?", "Is the corridor the smallest room?"})
+    expect_reply(sentence, "I do not know.");
 }
 
 TEST_F(ShownRooms, AreReachedThroughOthers) {
