@@ -1,3 +1,4 @@
+#include "castor/planning/motivation/failure_words.hpp"
 #include "castor/planning/motivation/motive_schedule.hpp"
 
 #include <algorithm>
@@ -39,12 +40,13 @@ std::string reason_of(const Motive& x) {
   return x.asker.empty() ? "I am made so" : x.asker + " asked me to " + x.words;
 }
 
-std::string MotiveSchedule::answer(const MotiveQuestion& question) const {
+std::string MotiveSchedule::answer(const MotiveQuestion& question,
+                                   const std::vector<std::string>& waiting) const {
   switch (question.kind) {
     case MotiveQuestionKind::doing:
       return doing();
     case MotiveQuestionKind::next:
-      return next();
+      return next(waiting);
     case MotiveQuestionKind::why:
       return why(question.about);
     case MotiveQuestionKind::why_not:
@@ -76,11 +78,13 @@ std::string MotiveSchedule::doing() const {
   return result.empty() ? "I am doing nothing." : result + ".";
 }
 
-std::string MotiveSchedule::next() const {
+std::string MotiveSchedule::next(const std::vector<std::string>& waiting) const {
   const Entry* first = nullptr;
   for (const auto& [id, x] : motives_)
     if (x.motive.status == MotiveStatus::queued && (!first || precedes(x, *first)))
       first = &x;
+  if (!first && !waiting.empty())
+    return "Then I will do something else, because " + waiting.front() + ".";
   return first
            ? "Then I will " + first->motive.words + ", because " + reason_of(first->motive) + "."
            : "I have nothing else to do.";
@@ -97,7 +101,7 @@ std::string MotiveSchedule::why_not(const std::string& about) const {
                                MotiveStatus::preempted, MotiveStatus::queued});
   if (!x)
     return "I know of nothing like that that I was to do.";
-  const auto& why = x->history.back().why;
+  const auto why = failure_in_words(x->history.back().why);
   if (x->status == MotiveStatus::queued)
     return why.empty() ? "I will " + x->words + " as soon as I can."
                        : "I will " + x->words + " later: " + why + ".";
@@ -109,7 +113,7 @@ std::string MotiveSchedule::done(const std::string& about) const {
     find(about, {MotiveStatus::completed, MotiveStatus::rejected, MotiveStatus::dropped});
   if (!x)
     return about.empty() ? "I have done nothing yet." : "I know of nothing like that that I did.";
-  const auto& why = x->history.back().why;
+  const auto why = failure_in_words(x->history.back().why);
   return x->status == MotiveStatus::completed
            ? "The last thing that I did was to " + x->words + ", because " + reason_of(*x) + "."
            : "I was to " + x->words + ", but did not: " + why + ".";
@@ -127,7 +131,7 @@ std::string MotiveSchedule::whether(const std::string& about) const {
                          : "I know of nothing like that that I was to do.";
   return x->status == MotiveStatus::completed
            ? "I was to " + x->words + ", and that is done."
-           : "No: I was to " + x->words + ", but " + x->history.back().why + ".";
+           : "No: I was to " + x->words + ", but " + failure_in_words(x->history.back().why) + ".";
 }
 
 } // namespace castor::planning

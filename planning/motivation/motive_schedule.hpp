@@ -58,7 +58,9 @@ public:
   const Motive& motive(const std::string& id) const { return motives_.at(id).motive; }
 
   /// A sentence that answers the question.
-  std::string answer(const MotiveQuestion& question) const;
+  /// @param waiting why there will be further motives, the next one first
+  std::string answer(const MotiveQuestion& question,
+                     const std::vector<std::string>& waiting = {}) const;
 
 private:
   struct Entry {
@@ -83,7 +85,7 @@ private:
   /// The motive of the question, of those with one of the statuses; null if there is none.
   const Motive* find(const std::string& about, const std::set<MotiveStatus>& statuses) const;
   std::string doing() const;
-  std::string next() const;
+  std::string next(const std::vector<std::string>& waiting) const;
   std::string why(const std::string& about) const;
   std::string why_not(const std::string& about) const;
   std::string done(const std::string& about) const;

@@ -1,5 +1,6 @@
 #include "castor/planning/motivation/table_goals.hpp"
 
+#include "castor/planning/motivation/table_places.hpp"
 #include "castor/planning/motivation/table_words.hpp"
 
 #include <algorithm>
@@ -37,6 +38,11 @@ std::string sentence(std::string words) {
   return words + '.';
 }
 
+bool is_round(const TableThing& x) {
+  const auto shape = x.qualities.find("shape");
+  return shape != x.qualities.end() && shape->second == "sphere";
+}
+
 class GoalMaker {
 public:
   GoalMaker(const DirectiveStep& step, std::span<const TableThing> table)
@@ -66,6 +72,10 @@ public:
       return put_back();
     if (action == "Undo")
       return undo();
+    if (action == "Restore")
+      return restore();
+    if (action == "WhereWas")
+      return where_was();
     if (action == "PutDown")
       return put_down();
     if (!step_.places.empty())
@@ -96,9 +106,16 @@ private:
       formula += ' ' + x;
     std::ranges::sort(parts_);
     parts_.erase(std::ranges::unique(parts_).begin(), parts_.end());
-    return {TableWish::goal,  formula + ')',    std::move(parts_),
-            places_ + 1,      std::move(words), sentence(std::move(result)),
-            std::move(spots_)};
+    return {TableWish::goal,   formula + ')',    std::move(parts_),
+            places_ + 1,       std::move(words), sentence(std::move(result)),
+            std::move(spots_), proxies()};
+  }
+
+  std::vector<std::string> proxies() const {
+    std::vector<std::string> result;
+    for (const auto* x : things_)
+      result.push_back(x->proxy);
+    return result;
   }
 
   std::string in_part(const TableThing& x, std::string part) {
@@ -165,27 +182,67 @@ private:
         return refusal("There is nothing to put back.");
       things_ = {*moved};
     }
+    // "In its old place", where "it" may be another thing: that of this one, if it has one.
+    if (things_.size() == 1 && !things_.front()->was_moved() && has_landmark_that_was_moved())
+      return put();
+    // "Both": those that were moved.
+    if (std::ranges::any_of(things_, &TableThing::was_moved))
+      std::erase_if(things_, [](const auto* x) { return !x->was_moved(); });
     for (const auto* x : things_) {
       if (x->waypoint_before.empty())
         return refusal("I do not know where " + x->words + " was before.");
       facts_.push_back("(= (pos " + x->object + ") " + x->waypoint_before + ')');
     }
     return goal("put " + listed(things_) + " back",
-                listed(things_) + are(things_) + " where " +
-                  (things_.size() == 1 ? "it was" : "they were") + " before");
+                listed(things_) + are(things_) + " where " + it_was() + " before");
+  }
+
+  bool has_landmark_that_was_moved() const {
+    if (step_.places.empty() || step_.places.front().landmarks.size() != 1)
+      return false;
+    const auto* x = thing(step_.places.front().landmarks.front());
+    return x != nullptr && x->was_moved();
   }
 
   TableGoal undo() {
     for (const auto& x : table_)
-      if (!x.waypoint_before_goal.empty()) {
-        things_.push_back(&x);
-        facts_.push_back("(= (pos " + x.object + ") " + x.waypoint_before_goal + ')');
-      }
+      if (!x.waypoint_before_goal.empty())
+        back_to(x, x.waypoint_before_goal);
     if (things_.empty())
       return refusal("There is nothing to undo.");
     return goal("put " + listed(things_) + " back",
-                listed(things_) + are(things_) + " where " +
-                  (things_.size() == 1 ? "it was" : "they were") + " before");
+                listed(things_) + are(things_) + " where " + it_was() + " before");
+  }
+
+  /// Those that were moved, or all, are where they were before anything was done.
+  TableGoal restore() {
+    const auto asked = std::exchange(things_, {});
+    for (const auto& x : table_) {
+      const bool is_asked = asked.empty() || std::ranges::find(asked, &x) != asked.end();
+      if (is_asked && x.was_moved() && (x.is_held || x.waypoint != x.waypoint_at_first))
+        back_to(x, x.waypoint_at_first);
+    }
+    if (things_.empty())
+      return refusal("I have moved nothing that is not where it was at first.");
+    return goal("put " + listed(things_) + " back where " + it_was() + " at first",
+                listed(things_) + are(things_) + " where " + it_was() + " at first");
+  }
+
+  void back_to(const TableThing& x, const std::string& waypoint) {
+    things_.push_back(&x);
+    facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
+  }
+
+  std::string it_was() const { return things_.size() == 1 ? "it was" : "they were"; }
+
+  TableGoal where_was() const {
+    std::string result;
+    for (const auto* x : things_)
+      result +=
+        (result.empty() ? "" : " ") +
+        (x->was_moved() ? sentence(x->words + " was " + place_in_words(x->spot_before, *x, table_))
+                        : sentence("I have not moved " + x->words));
+    return {TableWish::answer, {}, {}, 0, std::move(result)};
   }
 
   TableGoal swap() {
@@ -274,7 +331,7 @@ private:
     if (was && waypoint.empty())
       return refusal("I do not know where " + other->words + " was before.");
     if (other->is_held && !was)
-      return refusal("I hold " + other->words + '.');
+      return refusal("I hold " + other->words + ". Tell me to put it down first.");
     facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
     ++places_;
     return goal(verb + " where " + other->words + (was ? " was" : " is"),
@@ -285,12 +342,12 @@ private:
   std::optional<std::string> put_further(const Shift& shift, std::string& where) {
     for (const auto* x : things_) {
       if (x->is_held)
-        return "I hold " + x->words + '.';
+        return "I hold " + x->words + ": tell me where to put it.";
       TableSpot spot{"spot-of-" + x->object, x->x + shift.x, x->y + shift.y};
       for (const auto& other : table_)
         if (!other.is_held && std::ranges::find(things_, &other) == things_.end() &&
             std::hypot(other.x - spot.x, other.y - spot.y) < other.radius + x->radius)
-          return sentence(other.words + " is in the way there");
+          return sentence(other.words + " is in the way there") + " Take it away first.";
       facts_.push_back("(= (pos " + x->object + ") " + spot.name + ')');
       spots_.push_back(std::move(spot));
     }
@@ -302,7 +359,7 @@ private:
   std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where) {
     const auto words = words_for(part_words, place.relation);
     if (words.empty())
-      return "I do not know where that is.";
+      return "I do not know where that is: tell me a part of the table, or a thing that is there.";
     for (const auto* x : things_)
       facts_.push_back(in_part(*x, place.relation));
     where += ' ' + std::string{words};
@@ -329,6 +386,8 @@ private:
     if (known->predicate == "on" && (landmarks.size() > 1 || things_.size() > 1))
       return landmarks.size() > 1 ? "It can stand on one thing only."
                                   : "There is room for one thing only.";
+    if (known->predicate == "on" && is_round(*landmarks.front()))
+      return sentence(landmarks.front()->words + " is round: nothing stays on it");
     for (const auto* x : things_) {
       const auto head = '(' + std::string{known->predicate} + ' ' + x->object;
       if (place.relation == "between")

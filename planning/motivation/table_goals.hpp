@@ -13,6 +13,16 @@
 /// configs/domains/playmate.pddl has the predicates.
 namespace castor::planning {
 
+/// A place on the table that a goal is about, metres.
+struct TableSpot {
+  /// In the goal's formula.
+  std::string name;
+  double x = 0;
+  double y = 0;
+
+  friend bool operator==(const TableSpot&, const TableSpot&) = default;
+};
+
 /// Something on the table that requests are about.
 struct TableThing {
   /// The proxy by which requests refer to it.
@@ -38,16 +48,12 @@ struct TableThing {
   /// Away from the viewer, and of the disc that it fits in, metres.
   double y = 0;
   double radius = 0.03;
-};
+  /// The waypoint where it was before it was moved for the first time; empty if it was not.
+  std::string waypoint_at_first = {};
+  /// That of `waypoint_before`; without a name if there is none.
+  TableSpot spot_before = {};
 
-/// A place on the table that a goal is about, metres.
-struct TableSpot {
-  /// In the goal's formula.
-  std::string name;
-  double x = 0;
-  double y = 0;
-
-  friend bool operator==(const TableSpot&, const TableSpot&) = default;
+  bool was_moved() const { return !waypoint_before.empty(); }
 };
 
 enum class TableWish {
@@ -57,6 +63,8 @@ enum class TableWish {
   stop,
   wait,
   go_on,
+  /// Something is only asked.
+  answer,
   /// It is impossible.
   refusal
 };
@@ -70,12 +78,15 @@ struct TableGoal {
   std::vector<std::string> parts;
   /// Number of waypoints that have to be chosen to reach it: one for each thing, and one to spare.
   std::size_t new_places = 0;
-  /// What is to be done, as an infinitive, or of a refusal a sentence that says why not.
+  /// What is to be done, as an infinitive, or a sentence: of a refusal why not, of a
+  /// question the answer.
   std::string words;
   /// What to say once it is so, a sentence.
   std::string result = {};
   /// Waypoints that the formula has besides those of things.
   std::vector<TableSpot> spots = {};
+  /// Proxies of the things that it is about, as requests have them.
+  std::vector<std::string> things = {};
 
   friend bool operator==(const TableGoal&, const TableGoal&) = default;
 };

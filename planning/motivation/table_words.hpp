@@ -43,7 +43,7 @@ inline constexpr std::pair<std::string_view, std::string_view> part_words[] = {
   {"table", "on the table"},
   {"elsewhere", "somewhere else"},
   {"aside", "aside"},
-  {"there", "there"}};
+  {"at-hand", "near you"}};
 
 /// How far things go that are put further to a side, metres.
 struct Shift {

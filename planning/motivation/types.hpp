@@ -77,6 +77,9 @@ struct MotiveAcknowledgement {
   MotiveReply reply = MotiveReply::accepted;
   /// A sentence.
   std::string words;
+  /// Proxies of the things that it is about, as far as they are known: of "one of the balls" the
+  /// one that was chosen.
+  std::vector<std::string> things = {};
 };
 
 enum class MotiveQuestionKind : std::uint8_t { doing, next, why, why_not, done, whether };
@@ -96,6 +99,17 @@ struct MotiveAnswer {
   std::string words;
 };
 
+/// Entry: what people have asked for that a generator will make motives of when the one before is
+/// over. Its id is `requests_waiting`.
+struct RequestsWaiting {
+  /// Why, as in Motive: "you said 'give me the ball'"; the next one first.
+  std::vector<std::string> because;
+
+  friend bool operator==(const RequestsWaiting&, const RequestsWaiting&) = default;
+};
+
+inline constexpr const char* requests_waiting = "requests waiting";
+
 /// How far a generator of motives has got with what people say.
 struct RequestsHeard {
   /// The last one.
@@ -103,10 +117,11 @@ struct RequestsHeard {
 };
 
 CASTOR_REFLECT(RequestsHeard, turn)
+CASTOR_REFLECT(RequestsWaiting, because)
 CASTOR_REFLECT(MotiveEvent, time, status, why)
 CASTOR_REFLECT(Motive, kind, goal, words, because, asker, cause, about, priority, cost, resources,
                patience, status, history)
-CASTOR_REFLECT(MotiveAcknowledgement, motive, asker, cause, reply, words)
+CASTOR_REFLECT(MotiveAcknowledgement, motive, asker, cause, reply, words, things)
 CASTOR_REFLECT(MotiveQuestion, kind, about)
 CASTOR_REFLECT(MotiveAnswer, words)
 

@@ -1,5 +1,7 @@
 #include "castor/planning/tabletop/refusals.hpp"
 
+#include "castor/planning/motivation/failure_words.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -21,6 +23,18 @@ std::string listed(const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < names.size(); ++i)
     result += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
   return result;
+}
+
+/// What people could ask for instead; empty if that is not known.
+std::string help_for(std::string_view reason) {
+  const auto says = [reason](std::string_view words) {
+    return reason.find(words) != std::string_view::npos;
+  };
+  if (says("place is out of reach") || says("reach any such place"))
+    return "Tell me another place.";
+  if (says("is out of reach"))
+    return "Move it nearer to me.";
+  return says("too large or too flat for the gripper") ? "I may be able to push it." : "";
 }
 
 } // namespace
@@ -51,7 +65,14 @@ Explanation explanation_of(const std::vector<Refusal>& refusals) {
       most = count;
       best = &x;
     }
-  return best == nullptr ? Explanation{} : Explanation{best->reason, {}};
+  return best == nullptr ? Explanation{} : Explanation{best->reason, help_for(best->reason)};
+}
+
+Explanation explanation_of_planning(std::string_view reason) {
+  return {failure_in_words(reason),
+          reason.starts_with("there is no plan")    ? "Tell me what to move before."
+          : reason.starts_with("no plan was found") ? "Ask me for one thing after the other."
+                                                    : ""};
 }
 
 std::string with_joints(std::string reason, const std::vector<std::string>& joints) {

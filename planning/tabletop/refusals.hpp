@@ -26,11 +26,16 @@ struct Explanation {
 };
 
 /// What explains most of the refusals: the thing that is in the way most often, if it is so in at
-/// least half of them, otherwise the most frequent reason. Of equals, the first.
+/// least half of them, otherwise the most frequent reason. Of equals, the first. Where nothing is
+/// in the way, another place may help, or to push what cannot be grasped.
 Explanation explanation_of(const std::vector<Refusal>& refusals);
 
 /// The reason, with the joints of the arm that do not move any more, if it does not name them.
 std::string with_joints(std::string reason, const std::vector<std::string>& joints);
+
+/// Why a planner has none, for people: what it says of its search is none of their business.
+/// @param reason of the planner, or any other, which stays as it is
+Explanation explanation_of_planning(std::string_view reason);
 
 /// The text, with other words in place of some.
 /// @param words "ball" for "sphere"

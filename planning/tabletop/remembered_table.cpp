@@ -20,7 +20,8 @@ RememberedTable TableMemory::remembered() const {
                           x.is_held,
                           x.on,
                           x.former_proxies,
-                          x.waypoint_before_goal};
+                          x.waypoint_before_goal,
+                          x.waypoint_at_first};
     for (const auto& [kind, value] : x.seen.qualities)
       thing.qualities.push_back({kind, value});
     result.things.push_back(std::move(thing));
@@ -51,7 +52,8 @@ void TableMemory::recall(const RememberedTable& x) {
     for (const auto& quality : thing.qualities)
       seen.qualities.emplace(quality.kind, quality.value);
     things_.push_back({thing.name, std::move(seen), thing.waypoint, thing.waypoint_before,
-                       thing.is_held, thing.on, thing.former_proxies, thing.waypoint_before_goal});
+                       thing.is_held, thing.on, thing.former_proxies, thing.waypoint_before_goal,
+                       thing.waypoint_at_first});
   }
   for (auto& y : things_)
     if (thing(y.on) == nullptr)

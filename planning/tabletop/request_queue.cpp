@@ -45,8 +45,22 @@ Address RequestQueue::add(const std::vector<RequestedStep>& steps,
 
 Address RequestQueue::stop() {
   auto motive = std::exchange(steps_.motive, {});
+  std::vector<RequestedStep> stopped;
+  if (!motive.id.empty())
+    stopped.push_back(steps_.current);
+  stopped.insert(stopped.end(), steps_.waiting.begin(), steps_.waiting.end());
+  // "Stop! Stop!"
+  if (stopped.empty())
+    stopped = std::move(steps_.stopped);
   steps_ = {};
+  steps_.stopped = std::move(stopped);
   return motive;
+}
+
+bool RequestQueue::go_on() {
+  if (!is_busy() && steps_.waiting.empty())
+    steps_.waiting = std::exchange(steps_.stopped, {});
+  return is_busy() || !steps_.waiting.empty();
 }
 
 const RequestedStep* RequestQueue::next() {
@@ -61,6 +75,7 @@ void RequestQueue::begin(const Address& motive, std::string result) {
   steps_.motive = motive;
   steps_.result = std::move(result);
   steps_.given_up.clear();
+  steps_.stopped.clear();
 }
 
 void RequestQueue::done() {

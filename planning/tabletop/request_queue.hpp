@@ -23,8 +23,12 @@ public:
   /// \returns the motive that is not wanted now; without an id for none
   Address add(const std::vector<RequestedStep>& steps, const communication::MoveReferents& said);
 
-  /// Forgets all. \returns the motive that is not wanted any more; without an id for none
+  /// Nothing is done any more, unless `go_on`. \returns the motive that is not wanted any more;
+  /// without an id for none
   Address stop();
+  /// What was stopped, and nothing was asked for since, is done after all.
+  /// \returns whether there is anything to do
+  bool go_on();
 
   /// Whether a step is done now.
   bool is_busy() const { return !steps_.motive.id.empty(); }

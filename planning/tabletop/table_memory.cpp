@@ -105,6 +105,8 @@ void TableMemory::leave(Thing& x) {
       y.waypoint_before_goal.clear();
   if (x.waypoint_before_goal.empty())
     x.waypoint_before_goal = x.waypoint;
+  if (x.waypoint_at_first.empty())
+    x.waypoint_at_first = x.waypoint;
   x.waypoint_before = x.waypoint;
   x.on.clear();
 }
@@ -177,6 +179,9 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
     thing.waypoint_before_goal = x.waypoint_before_goal;
     thing.y = x.seen.place.y;
     thing.radius = x.seen.radius;
+    thing.waypoint_at_first = x.waypoint_at_first;
+    if (const auto* before = place(x.waypoint_before))
+      thing.spot_before = {x.waypoint_before, before->x, before->y};
     for (const auto& at : places)
       if (at.id == x.seen.id && at.place.landmarks.empty())
         thing.parts.push_back(at.place.relation);

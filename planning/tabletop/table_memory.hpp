@@ -53,6 +53,8 @@ public:
     std::vector<std::string> former_proxies = {};
     /// Where it was when the last goal began that moved something; empty if that did not move it.
     std::string waypoint_before_goal = {};
+    /// Where it was before it was moved for the first time; empty if it was not moved.
+    std::string waypoint_at_first = {};
   };
 
   /// @param agent who acts, and nouns by shapes: "ball" for "sphere"

@@ -21,13 +21,15 @@ struct TableGoalRequest {
 };
 
 struct TableGoalReply {
-  /// A sentence that says why there is no goal; empty if there is one.
+  /// A sentence that says why there is no goal, or answers what was asked; empty if there is one.
   std::string refusal;
   AchieveGoal goal;
   /// What is to be done, as an infinitive.
   std::string words;
   /// A sentence for when it is so.
   std::string result;
+  /// Proxies of the things that it is about: of "one of the balls" the one that was chosen.
+  std::vector<std::string> things = {};
 };
 
 /// Entry: why a step of the goal that is pursued could not be done. Its id is `table_problem`.
@@ -65,6 +67,7 @@ struct RememberedThing {
   std::string on;
   std::vector<std::string> former_proxies;
   std::string waypoint_before_goal;
+  std::string waypoint_at_first;
 
   friend bool operator==(const RememberedThing&, const RememberedThing&) = default;
 };
@@ -124,6 +127,8 @@ struct RequestedSteps {
   std::string result;
   /// Those of the request that could not be done last, until another step is begun.
   std::vector<RequestedStep> given_up;
+  /// Those that were not done yet when people said "stop", until another step is begun.
+  std::vector<RequestedStep> stopped;
 
   friend bool operator==(const RequestedSteps&, const RequestedSteps&) = default;
 };
@@ -132,12 +137,13 @@ inline constexpr const char* requested_steps = "requested steps";
 
 CASTOR_REFLECT(TableProblem, reason, help)
 CASTOR_REFLECT(TableGoalRequest, step, begins)
-CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result)
+CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result, things)
 CASTOR_REFLECT(RequestedStep, move, what)
-CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up)
+CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopped)
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
-               waypoint_before, is_held, on, former_proxies, waypoint_before_goal)
+               waypoint_before, is_held, on, former_proxies, waypoint_before_goal,
+               waypoint_at_first)
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
 CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint)

@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace castor::planning {
 
@@ -30,8 +31,9 @@ class MotiveManager final : public ManagedComponent {
     on_change(overwritten<Action>().where(field(&Action::requester) == component_name() &&
                                           field(&Action::status) == ActionStatus::over),
               [](const ChangeEvent&) {});
-    on_call<MotiveQuestion>(
-      [this](const MotiveQuestion& question) { return MotiveAnswer{schedule_.answer(question)}; });
+    on_call<MotiveQuestion>([this](const MotiveQuestion& question) {
+      return MotiveAnswer{schedule_.answer(question, waiting())};
+    });
     // What a predecessor has not brought to an end; the oldest first.
     auto known = read_all<Motive>();
     for (auto x = known.rbegin(); x != known.rend(); ++x)
@@ -60,6 +62,12 @@ class MotiveManager final : public ManagedComponent {
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
     }
+  }
+
+  /// Why there will be further motives.
+  std::vector<std::string> waiting() {
+    const auto told = read_all<RequestsWaiting>(1);
+    return told.empty() ? std::vector<std::string>{} : told.front()->because;
   }
 
   void end_actions() {

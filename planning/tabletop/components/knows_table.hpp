@@ -59,7 +59,10 @@ protected:
     for (const auto& x : read_all_in<binding::BindingProxy>(binding_))
       if (auto thing = thing_of(x.address.id, *x))
         things.push_back(std::move(*thing));
-    const bool is_complete = is_up_to_date();
+    // What was let go just now nobody has seen yet.
+    const auto grasped = read_all_in<manipulation::HeldThing>(manipulation_, 1);
+    const bool is_let_go = !grasped.empty() && grasped.front()->let_go;
+    const bool is_complete = !is_let_go && is_up_to_date();
     if (is_complete)
       up_to_date_ = now();
     memory_.see(things, is_complete || now() - up_to_date_ > forget_.get());

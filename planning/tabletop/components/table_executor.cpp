@@ -66,14 +66,18 @@ class TableExecutor final : public KnowsTable {
     const auto things = memory_.things(places(parts_in(formula)));
     auto goal = goal_of(step, things);
     if (goal.wish != TableWish::goal)
-      return {goal.words, {}, {}, {}};
+      return {goal.words, {}, {}, {}, {}};
     auto reached = request.begins ? memory_.begin(goal) : AchieveGoal{goal.formula};
     if (request.begins) {
       remember();
       refusals_.clear();
       put(here(table_problem), TableProblem{});
     }
-    return {{}, std::move(reached), std::move(goal.words), std::move(goal.result)};
+    return {{},
+            std::move(reached),
+            std::move(goal.words),
+            std::move(goal.result),
+            std::move(goal.things)};
   }
 
   // -- steps of plans
@@ -97,7 +101,8 @@ class TableExecutor final : public KnowsTable {
       if (step.name == "push")
         return push(action, thing->name, what);
     } catch (const CallException& e) {
-      return ActionResult::failed(e.what());
+      warning("{}", e.what());
+      return ActionResult::failed("nobody tells me now where there is a place for it");
     }
     return ActionResult::failed("there is no step '" + step.name + "' for an arm");
   }

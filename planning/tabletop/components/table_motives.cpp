@@ -2,10 +2,12 @@
 #include "castor/planning/manipulation/types.hpp"
 #include "castor/planning/motivation/components/hears_requests.hpp"
 #include "castor/planning/motivation/table_goals.hpp"
+#include "castor/planning/tabletop/refusals.hpp"
 #include "castor/planning/tabletop/request_queue.hpp"
 #include "castor/planning/tabletop/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
+#include <cctype>
 #include <chrono>
 #include <deque>
 #include <string>
@@ -43,8 +45,21 @@ class TableMotives final : public HearsRequests {
   void remember() {
     if (queue_.steps() == told_)
       return;
+    tell_what_waits();
     put(here(requested_steps), queue_.steps());
     told_ = queue_.steps();
+  }
+
+  /// What will be done later, for whoever is asked.
+  void tell_what_waits() {
+    RequestsWaiting waiting;
+    for (const auto& x : queue_.steps().waiting)
+      waiting.because.push_back(reason_of(x));
+    put(here(requests_waiting), std::move(waiting));
+  }
+
+  std::string reason_of(const RequestedStep& step) {
+    return speaker_.get() + " said '" + words_of(*follow(step.move)) + "'";
   }
 
   void arrived(const Address& referents) override { arrived_.push_back(referents); }
@@ -77,7 +92,7 @@ class TableMotives final : public HearsRequests {
                                                     {.timeout = patience_.get()});
     } catch (const WorkingMemoryException& e) {
       warning("{}", e.what());
-      return {"I do not see what is on the table now.", {}, {}, {}};
+      return {"I do not see what is on the table now.", {}, {}, {}, {}};
     }
   }
 
@@ -95,11 +110,18 @@ class TableMotives final : public HearsRequests {
       else if (x.action == "Wait")
         debug("after the last step it waits anyway"); // "Take the ball and wait."
       else if (x.action == "GoOn")
-        command(referents.move, manipulation::ResumeArm{}, "I go on.");
+        resume_arm(referents.move);
+      else if (x.action == "WhereWas")
+        reply(referents.move, MotiveReply::done, goal_of({x, false}).refusal);
       else
         steps.push_back({referents.move, x});
-    if (!steps.empty())
-      withdraw(queue_.add(steps, referents));
+    if (steps.empty())
+      return;
+    const bool has_to_wait = (queue_.is_busy() || !queue_.steps().waiting.empty()) &&
+                             !referents.corrects && !referents.comes_first;
+    withdraw(queue_.add(steps, referents));
+    if (has_to_wait)
+      reply(referents.move, MotiveReply::accepted, "I will do that then.");
     remember();
   }
 
@@ -107,6 +129,12 @@ class TableMotives final : public HearsRequests {
     withdraw(queue_.stop());
     remember();
     command(move, manipulation::StopArm{}, "I have stopped.");
+  }
+
+  void resume_arm(const EntryPointer<DialogueMove>& move) {
+    if (!queue_.go_on())
+      return reply(move, MotiveReply::impossible, "I have nothing to go on with.");
+    command(move, manipulation::ResumeArm{}, "I go on.");
   }
 
   /// The arm ends what it does for it.
@@ -123,8 +151,10 @@ class TableMotives final : public HearsRequests {
           is_done ? words : "The arm does not do that: " + end.reason + '.');
   }
 
-  void reply(const EntryPointer<DialogueMove>& move, MotiveReply kind, std::string words) {
-    add(MotiveAcknowledgement{{}, speaker_, move, kind, std::move(words)}, {.time_to_live = 10min});
+  void reply(const EntryPointer<DialogueMove>& move, MotiveReply kind, std::string words,
+             std::vector<std::string> things = {}) {
+    add(MotiveAcknowledgement{{}, speaker_, move, kind, std::move(words), std::move(things)},
+        {.time_to_live = 10min});
   }
 
   /// The next step, when the one before is done. What comes after one that is not done is not done
@@ -170,16 +200,19 @@ class TableMotives final : public HearsRequests {
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
     }
-    return {motive.history.back().why, {}};
+    const auto why = explanation_of_planning(motive.history.back().why);
+    return {why.reason, why.help};
   }
 
   /// So that the robot can be asked why it did not do it.
   void note_refusal(const RequestedStep& step, std::string refusal) {
     refusal.pop_back();
+    if (!refusal.starts_with("I "))
+      refusal[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(refusal[0])));
     Motive motive;
     motive.kind = "table";
     motive.words = "do what " + speaker_.get() + " asked for";
-    motive.because = speaker_.get() + " said '" + words_of(*follow(step.move)) + "'";
+    motive.because = reason_of(step);
     motive.cause = step.move;
     motive.status = MotiveStatus::rejected;
     motive.history = {{now().count(), MotiveStatus::rejected, std::move(refusal)}};
@@ -197,11 +230,12 @@ class TableMotives final : public HearsRequests {
     motive.kind = "table";
     motive.goal = std::move(asked.goal);
     motive.words = std::move(asked.words);
-    motive.because = speaker_.get() + " said '" + words_of(*follow(step.move)) + "'";
+    motive.because = reason_of(step);
     // Who asked is told here, by what is seen, so that nobody is named as the asker.
     motive.cause = step.move;
     motive.resources = {"arm"};
-    reply(step.move, MotiveReply::accepted, "I will " + motive.words + '.');
+    reply(step.move, MotiveReply::accepted, "I will " + motive.words + '.',
+          std::move(asked.things));
     const auto address = here(new_id());
     queue_.begin(address, std::move(asked.result));
     // First, so that a successor knows what it is for.

@@ -259,6 +259,26 @@ TEST_F(MotiveScheduleTest, KnowsMotivesThatWereOverBefore) {
   EXPECT_TRUE(schedule.take_orders().empty());
 }
 
+TEST_F(MotiveScheduleTest, KnowsThatFurtherMotivesWillCome) {
+  const MotiveQuestion next{MotiveQuestionKind::next, ""};
+  EXPECT_EQ(schedule.answer(next, {"you said 'take it'", "you said 'stop'"}),
+            "Then I will do something else, because you said 'take it'.");
+  // What is queued comes before that.
+  schedule.propose("a", motive("a", 2, {"base"}), 0s);
+  schedule.propose("b", motive("b", 1, {"base"}), 0s);
+  EXPECT_THAT(schedule.answer(next, {"you said 'take it'"}), testing::StartsWith("Then I will b"));
+}
+
+TEST_F(MotiveScheduleTest, DoesNotSayHowAPlannerSearches) {
+  schedule.propose("a", motive("a", 1, {"base"}), 0s);
+  schedule.ended("a", ActionOutcome::failed,
+                 "there is no plan: all states that can be reached were looked at, 7", 1s);
+  for (const auto kind :
+       {MotiveQuestionKind::why_not, MotiveQuestionKind::done, MotiveQuestionKind::whether})
+    EXPECT_THAT(schedule.answer({kind, ""}),
+                testing::HasSubstr("as things are now, nothing that I can do leads to that"));
+}
+
 TEST_F(MotiveScheduleTest, ForgetsOldMotivesThatAreOver) {
   MotiveSchedule small(2);
   for (int i = 0; i < 10; ++i) {

@@ -84,6 +84,65 @@ TEST(TableGoals, BackIsWhereItWasBefore) {
   EXPECT_EQ(refused({"PutBack", {"p/a", "p/b"}, 1, {}, {}}), "There is nothing to put back.");
 }
 
+TEST(TableGoals, OfSeveralThoseThatWereMovedArePutBack) {
+  EXPECT_EQ(formula({"PutBack", {"p/a", "p/b", "p/c"}, 0, {}, {}}), "(and (= (pos c) at-old))");
+}
+
+TEST(TableGoals, ItsOldPlaceIsThatOfTheThingIfItHasOne) {
+  // "Put the box in its old place", after the ball was spoken of.
+  EXPECT_EQ(formula({"PutBack", {"p/c"}, 0, {{"where-before", {"p/b"}}}, {}}),
+            "(and (= (pos c) at-old))");
+  EXPECT_EQ(formula({"PutBack", {"p/b"}, 0, {{"where-before", {"p/c"}}}, {}}),
+            "(and (= (pos b) at-old))");
+  EXPECT_EQ(refused({"PutBack", {"p/b"}, 0, {{"where-before", {"p/a"}}}, {}}),
+            "I do not know where the blue ball was before.");
+}
+
+TEST(TableGoals, EverythingGoesBackToWhereItWasAtFirst) {
+  auto things = table;
+  things[0].waypoint_before = "a-2";
+  things[0].waypoint_at_first = "a-1";
+  things[2].waypoint_at_first = "at-c";
+  const auto goal = goal_of({"Restore", {}, 0, {}, {}}, things);
+  // The box is where it was at first, and the blue ball was never moved.
+  EXPECT_EQ(goal.formula, "(and (= (pos a) a-1))");
+  EXPECT_EQ(goal.words, "put the red ball back where it was at first");
+  EXPECT_EQ(goal.result, "The red ball is where it was at first.");
+  EXPECT_EQ(goal_of({"Restore", {"p/a", "p/b"}, 0, {}, {}}, things).formula,
+            "(and (= (pos a) a-1))");
+  EXPECT_EQ(refused({"Restore", {"p/b"}, 0, {}, {}}, things),
+            "I have moved nothing that is not where it was at first.");
+}
+
+TEST(TableGoals, AreAboutTheThingsThatWereChosen) {
+  EXPECT_EQ(goal_of({"Take", {"p/a", "p/b"}, 1, {}, {}}, table).things,
+            std::vector<std::string>{"p/a"});
+  auto holding = table;
+  holding[1].is_held = true;
+  EXPECT_EQ(goal_of({"Take", {"p/a", "p/b"}, 1, {}, {}}, holding).things,
+            std::vector<std::string>{"p/b"});
+}
+
+TEST(TableGoals, WhereAThingWasIsSaidByOthers) {
+  auto things = table;
+  things[2].spot_before = {"at-old", -0.05, 0};
+  const auto answer = goal_of({"WhereWas", {"p/c"}, 0, {}, {}}, things);
+  EXPECT_EQ(answer.wish, TableWish::answer);
+  // 15 cm from either ball; the first one is nearest of equals.
+  EXPECT_EQ(answer.words, "The red box was to the right of where the red ball is now.");
+  things[2].spot_before = {"at-old", 0.1, 0.12};
+  EXPECT_EQ(goal_of({"WhereWas", {"p/c"}, 0, {}, {}}, things).words,
+            "The red box was behind where the blue ball is now.");
+  things[2].spot_before = {"at-old", 0.09, 0};
+  EXPECT_EQ(goal_of({"WhereWas", {"p/c"}, 0, {}, {}}, things).words,
+            "The red box was where the blue ball is now.");
+  things[2].spot_before = {"at-old", -0.1, -0.4};
+  EXPECT_EQ(goal_of({"WhereWas", {"p/c"}, 0, {}, {}}, things).words,
+            "The red box was at the front.");
+  EXPECT_EQ(goal_of({"WhereWas", {"p/a"}, 0, {}, {}}, things).words,
+            "I have not moved the red ball.");
+}
+
 TEST(TableGoals, WhatIsHeldIsPutDown) {
   EXPECT_EQ(refused({"PutDown", {}, 0, {}, {}}), "I do not hold anything.");
   EXPECT_EQ(refused({"PutDown", {"p/a"}, 0, {}, {}}), "I do not hold that.");
@@ -98,6 +157,10 @@ TEST(TableGoals, WhatCannotBeIsSaidWithTheReason) {
             "I cannot put the red ball on itself.");
   EXPECT_EQ(refused({"Put", {"p/a", "p/b"}, 0, {{"on", {"p/c"}}}, {}}),
             "There is room for one thing only.");
+  EXPECT_EQ(refused({"Put", {"p/c"}, 0, {{"on", {"p/b"}}}, {}}),
+            "The blue ball is round: nothing stays on it.");
+  EXPECT_EQ(refused({"Put", {"p/c"}, 0, {{"there", {}}}, {}}),
+            "I do not know where that is: tell me a part of the table, or a thing that is there.");
   EXPECT_EQ(refused({"Put", {"p/a"}, 0, {{"under", {"p/c"}}}, {}}),
             "I cannot put things under others.");
   EXPECT_EQ(refused({"Take", {"p/a", "p/b"}, 0, {}, {}}), "I can hold one thing only.");
@@ -146,7 +209,7 @@ TEST(TableGoals, FurtherToASideIsFromWhereItIs) {
   auto things = table;
   things[1].x = -0.03;
   EXPECT_EQ(refused({"Put", {"p/b"}, 0, {{"further-left", {}}}, {}}, things),
-            "The red box is in the way there.");
+            "The red box is in the way there. Take it away first.");
 }
 
 TEST(TableGoals, UndoingIsToPutBackAllThatTheLastGoalMoved) {

@@ -22,8 +22,29 @@ TEST(Refusals, WhatIsInTheWayMostOftenExplains) {
 }
 
 TEST(Refusals, OtherwiseTheMostFrequentReasonDoes) {
-  EXPECT_EQ(explanation_of({slipped, too_far, by_box, too_far}), (Explanation{too_far.reason, {}}));
+  EXPECT_EQ(explanation_of({slipped, too_far, by_box, too_far}),
+            (Explanation{too_far.reason, "Tell me another place."}));
   EXPECT_EQ(explanation_of({slipped, too_far}), (Explanation{slipped.reason, {}}));
+}
+
+TEST(Refusals, SayWhatWouldHelp) {
+  const auto help = [](const std::string& reason) { return explanation_of({{reason, {}}}).help; };
+  EXPECT_EQ(help("I do not reach any such place with it"), "Tell me another place.");
+  EXPECT_EQ(help("the ball is out of reach: it is 0.90 m away"), "Move it nearer to me.");
+  EXPECT_EQ(help("the chest is too large or too flat for the gripper: it is 0.2 m"),
+            "I may be able to push it.");
+}
+
+TEST(Refusals, OfAPlannerAreSaidInWordsThatPeopleUse) {
+  const auto none = explanation_of_planning(
+    "there is no plan: the goal cannot be reached, even if no action deletes anything");
+  EXPECT_EQ(none.reason, "as things are now, nothing that I can do leads to that");
+  EXPECT_EQ(none.help, "Tell me what to move before.");
+  const auto late =
+    explanation_of_planning("no plan was found within the limits, after 10000 states");
+  EXPECT_EQ(late.reason, "I did not find out in time how to do it");
+  EXPECT_EQ(late.help, "Ask me for one thing after the other.");
+  EXPECT_EQ(explanation_of_planning("it fell"), (Explanation{"it fell", {}}));
 }
 
 TEST(Refusals, NothingExplainsNothing) {

@@ -82,12 +82,41 @@ TEST_F(RequestQueueTest, LeavesOutWhatComesAfterAStepThatCannotBeDone) {
   EXPECT_THAT(rest(), ElementsAre("Give"));
 }
 
-TEST_F(RequestQueueTest, ForgetsAllWhenItIsToStop) {
+TEST_F(RequestQueueTest, DoesNothingAnyMoreWhenItIsToStop) {
   queue.add({step("a", "Take"), step("a", "Put")}, {});
   begin("m1");
   EXPECT_EQ(queue.stop(), motive("m1"));
-  EXPECT_EQ(queue.steps(), RequestedSteps{});
+  EXPECT_FALSE(queue.is_busy());
+  EXPECT_EQ(queue.next(), nullptr);
   EXPECT_EQ(queue.stop().id, "");
+}
+
+TEST_F(RequestQueueTest, GoesOnWithWhatWasStopped) {
+  queue.add({step("a", "Take"), step("a", "Put")}, {});
+  queue.add({step("b", "Give")}, {});
+  begin("m1");
+  queue.stop();
+  queue.stop();
+  EXPECT_TRUE(queue.go_on());
+  EXPECT_THAT(rest(), ElementsAre("Take", "Put", "Give"));
+  EXPECT_FALSE(queue.go_on());
+}
+
+TEST_F(RequestQueueTest, ForgetsWhatWasStoppedWhenSomethingElseIsBegun) {
+  queue.add({step("a", "Take")}, {});
+  begin("m1");
+  queue.stop();
+  queue.add({step("b", "Give")}, {});
+  begin("m2");
+  // To go on is to go on with that.
+  EXPECT_TRUE(queue.go_on());
+  queue.done();
+  EXPECT_FALSE(queue.go_on());
+  EXPECT_THAT(rest(), IsEmpty());
+}
+
+TEST_F(RequestQueueTest, HasNothingToGoOnWithAtFirst) {
+  EXPECT_FALSE(queue.go_on());
 }
 
 TEST_F(RequestQueueTest, ReplacesTheRequestThatIsBeingDone) {

@@ -235,6 +235,21 @@ TEST_F(TableMemoryTest, KnowsWhereThingsWereBeforeTheLastGoalThatMovedSomething)
   EXPECT_EQ(before("p2"), "place-2");
 }
 
+TEST_F(TableMemoryTest, KnowsWhereThingsWereBeforeTheyWereMovedForTheFirstTime) {
+  EXPECT_FALSE(memory.things({}).front().was_moved());
+  memory.moved("p1", new_place(), "o1", {0.0, 0.2});
+  memory.moved("p1", new_place(), "o1", {0.2, 0.2});
+  const auto moved = memory.things({}).front();
+  EXPECT_EQ(moved.waypoint_at_first, "place-1");
+  EXPECT_EQ(moved.spot_before.name, moved.waypoint_before);
+  EXPECT_EQ(moved.spot_before.x, 0.0);
+  EXPECT_EQ(moved.spot_before.y, 0.2);
+  TableMemory successor{"robot"};
+  successor.recall(memory.remembered());
+  EXPECT_EQ(successor.things({}).front().waypoint_at_first, "place-1");
+  EXPECT_EQ(successor.things({}).back().waypoint_at_first, "");
+}
+
 TEST_F(TableMemoryTest, GivesSpotsOfAGoalWaypointsThatAreFreeForTheirThings) {
   TableGoal goal;
   goal.formula = "(and (= (pos p1) spot-of-p1))";
