@@ -3,8 +3,10 @@
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/binding/types.hpp"
 #include "castor/communication/components/uses_lexicon.hpp"
+#include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/dialogue/vocabulary.hpp"
+#include "castor/planning/tabletop/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
 #include <chrono>
@@ -70,6 +72,28 @@ protected:
         return reply ? std::move(*reply) : unknown_reply(request.descriptions.size());
       },
       std::move(f));
+  }
+
+  /// As who moves things knows them. Nothing if nobody does.
+  /// @param table the subarchitecture with a TableExecutor; empty if there is none
+  RenamedThings renamed_things(const std::string& table,
+                               const std::string& binding_subarchitecture) {
+    RenamedThings result;
+    if (table.empty())
+      return result;
+    for (const auto& known : this->template read_all_in<planning::RememberedTable>(table, 1))
+      for (const auto& x : known->things) {
+        auto names = x.former_proxies;
+        names.push_back(x.proxy);
+        names.push_back(planning::hidden_proxy(x.name));
+        const auto now = this->exists(Address{binding_subarchitecture, x.proxy})
+                           ? x.proxy
+                           : planning::hidden_proxy(x.name);
+        for (const auto& name : names)
+          if (name != now)
+            result.insert_or_assign(name, now);
+      }
+    return result;
   }
 
 private:

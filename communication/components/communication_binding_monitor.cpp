@@ -13,6 +13,7 @@
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/types.hpp"
+#include "castor/planning/motivation/types.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -71,13 +72,19 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
 
   void look(const std::string& id, const DialogueMove& move) {
     auto address = here("referents of " + id);
+    note_choices();
+    if (const auto renamed = renamed_things(table_.get(), binding()); !renamed.empty()) {
+      for (auto& x : history_)
+        rename(x, renamed);
+      if (questions_)
+        questions_->rename(renamed);
+    }
     const bool is_known = exists(address);
     const auto said = with_names_told(move, *vocabulary(binding()));
     auto meant = said;
     auto referents = is_known ? *read<MoveReferents>(address) : referents_of(id, meant);
     auto spoken_of = referents;
-    // A fragment may complete the move before in another of its readings.
-    const auto whole = completed(meant.type == DialogueMoveType::none ? said : meant, spoken_of);
+    const auto whole = completed(said, spoken_of);
     if (whole.type == DialogueMoveType::assertion) {
       const auto told = tell_of(id, whole, spoken_of);
       publish();
@@ -94,13 +101,24 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
       referents.is_unclear = whole.problem.empty() && referents.steps.empty() &&
                              is_handling(whole.content, vocabulary(binding())->meanings());
     }
-    previous_ = CompleteMove{whole, from_entry(spoken_of.pronouns)};
     if (is_known)
       return;
+    referents.referents = spoken_of.referents;
     history_.push_back(referents);
     if (history_.size() > remembered_)
       history_.erase(history_.begin());
     add(address, std::move(referents));
+  }
+
+  /// What who does it has chosen, where requests before left that open.
+  void note_choices() {
+    if (motivation_->empty())
+      return;
+    for (const auto& told : read_all_in<planning::MotiveAcknowledgement>(motivation_))
+      if (!told->things.empty())
+        for (auto& x : history_)
+          if (told->cause.address == x.move.address)
+            note_chosen(x, told->things);
   }
 
   // -- what is spoken of
@@ -126,20 +144,23 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     return result;
   }
 
-  /// A fragment says what it completes of the move before.
+  /// The move with what it leaves to those before it.
   /// \param referents become those of the whole
   DialogueMove completed(const DialogueMove& move, MoveReferents& referents) {
-    const bool is_fragment = move.type == DialogueMoveType::none && move.problem.empty();
-    if (!previous_ || !(is_fragment || is_elliptical(move.content)))
-      return move;
-    const auto antecedents = from_entry(referents.pronouns);
-    return with_scene(binding(), [&](SceneKnowledge& scene) {
-      const auto whole = completed_after(*previous_, move, antecedents, scene);
-      auto reading = reading_of(whole.move, respond(whole.move, whole.antecedents, scene).reading);
-      referents.referents = communication::referents_of(reading, whole.antecedents, scene);
-      referents.pronouns = to_entry(whole.antecedents);
-      return reading;
+    const auto& words = vocabulary(binding());
+    if (!questions_)
+      questions_.emplace(words);
+    questions_->set_vocabulary(words);
+    const auto whole = questions_->complete(move, from_entry(referents.pronouns));
+    auto response = with_scene(binding(), [&](SceneKnowledge& scene) {
+      auto result = respond(whole.move, whole.antecedents, scene);
+      referents.referents = communication::referents_of(reading_of(whole.move, result.reading),
+                                                        whole.antecedents, scene);
+      return result;
     });
+    referents.pronouns = to_entry(whole.antecedents);
+    questions_->note(whole, response);
+    return reading_of(whole.move, response.reading);
   }
 
   /// Where somebody points, unless it was too long ago.
@@ -196,6 +217,10 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
 
   static std::string proxy_id(const std::string& move) { return "communication/" + move; }
 
+  Option<SubarchitectureName> motivation_{this, "motivation", "",
+                                          "the subarchitecture of motives; empty if there is none"};
+  Option<SubarchitectureName> table_{
+    this, "table", "", "the subarchitecture that knows what was moved; empty if there is none"};
   Option<std::uint32_t> remembered_{this, "remembered", 100,
                                     "how many moves back something may be referred to"};
   Option<std::chrono::milliseconds> patience_{
@@ -214,8 +239,7 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
 
   std::set<std::string> moves_;
   std::vector<MoveReferents> history_;
-  /// The last move, as it was meant.
-  std::optional<CompleteMove> previous_;
+  std::optional<QuestionContext> questions_;
 };
 
 CASTOR_COMPONENT(CommunicationBindingMonitor,

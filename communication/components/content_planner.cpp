@@ -76,6 +76,7 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     if (!questions_)
       questions_.emplace(words);
     questions_->set_vocabulary(words);
+    questions_->rename(renamed_things(table_.get(), binding_.get()));
     auto meant =
       questions_->complete(with_names_told(move, *words), from_entry(referents.pronouns));
     auto response = with_scene(binding_.get(), [&](SceneKnowledge& scene) {
@@ -155,6 +156,9 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
   Option<SubarchitectureName> binding_{this, "binding", "binding", "the binding subarchitecture"};
   Option<SubarchitectureName> motivation_{this, "motivation", "",
                                           "the subarchitecture of motives; empty if there is none"};
+
+  Option<SubarchitectureName> table_{
+    this, "table", "", "the subarchitecture that knows what was moved; empty if there is none"};
 
   std::optional<QuestionContext> questions_;
 };

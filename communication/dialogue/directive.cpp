@@ -65,6 +65,8 @@ private:
       step.action = steps_.empty() ? action_for("put") : steps_.back().action;
     else
       step.action = action_for(x.proposition);
+    if (is_same && dependent(form_, x, "Patient") == nullptr)
+      throw Uninterpretable{Reason::word, x.proposition};
     if (const auto* destination = dependent(form_, x, "Destination"))
       read_destination(x, *destination, step);
     else
@@ -101,7 +103,13 @@ private:
       step.action = action_for("put-back");
       return take(one_of_like(patient), patient, step);
     }
-    if (step.action != action_for("push"))
+    // "In its old place" may be that of the thing itself: who knows what was moved decides.
+    const bool is_its_or_own = destination.proposition == "place-before-of" && anchor != nullptr &&
+                               is_pronoun(*anchor) &&
+                               vocabulary().meanings().actions.contains("put-back");
+    if (is_its_or_own)
+      step.action = action_for("put-back");
+    else if (step.action != action_for("push"))
       step.action = action_for("put");
     auto meant = things(patient);
     if (destination.proposition == "near-each-other")
@@ -163,8 +171,17 @@ private:
       step.places.push_back({"elsewhere", {}});
     if (x.proposition == "bring")
       step.action = action_for("give");
+    if (x.proposition == "put-back" && is_everything(*patient))
+      step.action = action_for("restore");
     const bool tells_itself = x.proposition == "drop" || x.proposition == "put-back";
     take(tells_itself ? one_of_like(*patient) : things(*patient), *patient, step);
+  }
+
+  /// "Put everything back", but not "all of them" or "all balls".
+  bool is_everything(const Nominal& phrase) const {
+    return feature(phrase, "Delimitation") == "all" && phrase.relations.empty() &&
+           vocabulary().is_general(phrase.proposition) && !is_pronoun(phrase) &&
+           vocabulary().meanings().actions.contains("restore");
   }
 
   /// What is put down is held, and what is put back was moved: that tells which of several is

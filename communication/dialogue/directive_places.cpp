@@ -42,7 +42,7 @@ const Words parts{{"left", "left"},
                   {"elsewhere", "elsewhere"},
                   {"away", "elsewhere"},
                   {"aside", "aside"},
-                  {"here", "there"},
+                  {"here", "at-hand"},
                   {"there", "there"}};
 
 /// Relations to landmarks, besides those that binding has.

@@ -78,7 +78,8 @@ bool clarify(CompleteMove& question, const std::string& nominal, const LogicalFo
   } else if (!vocabulary.is_general(fragment->proposition))
     asked->proposition = fragment->proposition;
   for (auto& relation : fragment->relations)
-    asked->relations.push_back(relation);
+    if (relation.mode != "InsteadOf")
+      asked->relations.push_back(relation);
   return true;
 }
 
@@ -202,6 +203,25 @@ bool is_same_again(const LogicalForm& form) {
   return root != nullptr && root->sort == "action" && root->proposition == "same";
 }
 
+/// "A bit more", "again": what was asked for before, and further where it was to a side.
+/// \param more as in the lexicon: small, more, or again
+LogicalForm repeated(LogicalForm request, std::string_view more) {
+  constexpr std::array<std::string_view, 4> sides{"left", "right", "front", "back"};
+  const auto* root = find_nominal(request, request.root);
+  const auto* destination = root == nullptr ? nullptr : dependent(request, *root, "Destination");
+  if (destination == nullptr || dependent(request, *destination, "Anchor") != nullptr ||
+      more == "again")
+    return request;
+  auto& region = *find_nominal(request, destination->name);
+  const auto side = region.proposition.substr(region.proposition.find('-') + 1);
+  if (std::ranges::find(sides, side) == sides.end())
+    return request;
+  region.proposition = "further-" + side;
+  std::erase_if(region.features, [](auto& x) { return x.name == "Degree"; });
+  region.features.push_back({"Degree", std::string{more}});
+  return request;
+}
+
 /// The region that a clause that asks for things says they are in, or where a request says that
 /// something is to be put; null if there is none.
 const Nominal* asked_region(const LogicalForm& form) {
@@ -287,9 +307,51 @@ DialogueMove QuestionContext::with_what_is_the_same(DialogueMove move) const {
   return move;
 }
 
+/// "Is anything behind the cube? Put the ball there": where the question or request before has
+/// something.
+void QuestionContext::resolve_there(CompleteMove& move) const {
+  const auto& form = move.move.content;
+  const auto* root = find_nominal(form, form.root);
+  const auto* there =
+    root == nullptr || root->sort != "action" ? nullptr : dependent(form, *root, "Destination");
+  if (!question_ || there == nullptr || there->proposition != "there" ||
+      dependent(form, *there, "Anchor") != nullptr)
+    return;
+  const auto& before = question_->move.content;
+  const auto place = std::ranges::find_if(before.nominals, [](const Nominal& x) {
+    return x.sort == "region" && x.proposition != "there" && x.proposition != "here" &&
+           x.proposition != "where" && x.proposition != "what" && !is_negated(x);
+  });
+  if (place == before.nominals.end())
+    return;
+  const auto from = there->name;
+  const auto name = append(move.move.content, part_of(before, place->name), move.antecedents,
+                           question_->antecedents);
+  for (auto& x : move.move.content.nominals)
+    for (auto& relation : x.relations)
+      if (relation.dependent == from)
+        relation.dependent = name;
+}
+
+void QuestionContext::rename(const RenamedThings& renamed) {
+  for (auto* move : {&question_, &clause_, &unclear_})
+    if (*move)
+      communication::rename((*move)->antecedents, renamed);
+}
+
 CompleteMove QuestionContext::complete(const DialogueMove& said,
                                        const Antecedents& antecedents) const {
   auto move = with_what_is_the_same(said);
+  if (const auto* root = find_nominal(move.content, move.content.root);
+      root != nullptr && is_same_again(move.content) && !feature(*root, "More").empty()) {
+    if (!question_ || question_->move.type != DialogueMoveType::action_directive)
+      return {move, antecedents};
+    auto again = *question_;
+    again.move.turn = move.turn;
+    again.move.content = repeated(std::move(again.move.content), feature(*root, "More"));
+    again.move.alternatives.clear();
+    return again;
+  }
   const bool is_question = take_said_as_question(move.content);
   for (auto& alternative : move.alternatives)
     take_said_as_question(alternative);
@@ -298,6 +360,7 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
   for (auto& alternative : result.move.alternatives)
     replace_one(alternative);
   keep_landmark(result);
+  resolve_there(result);
   if (clause_ && is_elliptical(move.content) &&
       !is_about_surroundings(clause_->move.content, *vocabulary_))
     if (auto whole = completed(move.content, clause_->move.content)) {
@@ -368,13 +431,6 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
     result.move.type = DialogueMoveType::question_yn;
   }
   return result;
-}
-
-CompleteMove completed_after(const CompleteMove& before, const DialogueMove& move,
-                             const Antecedents& antecedents, SceneKnowledge& scene) {
-  QuestionContext context{scene.shared_vocabulary()};
-  context.note(before, respond(before.move, before.antecedents, scene));
-  return context.complete(move, antecedents);
 }
 
 void QuestionContext::note(const CompleteMove& complete, const Response& response) {

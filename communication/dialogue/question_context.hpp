@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/communication/dialogue/response.hpp"
+#include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/dialogue/scene_knowledge.hpp"
 #include "castor/communication/types.hpp"
 
@@ -17,11 +18,6 @@ struct CompleteMove {
   Antecedents antecedents;
 };
 
-/// The move as it is meant after the one before it: "the cube" completes "this is large", which it
-/// was asked about. Counts only if `scene` has no open questions afterwards.
-CompleteMove completed_after(const CompleteMove& before, const DialogueMove& move,
-                             const Antecedents& antecedents, SceneKnowledge& scene);
-
 /// The questions of a dialogue that later moves take up: "the red one" after "which ball do you
 /// mean?", and "and the disc?" after "what colour is the ball?".
 class QuestionContext {
@@ -34,6 +30,9 @@ public:
     vocabulary_ = std::move(vocabulary);
   }
 
+  /// Things that were spoken of are known by other proxies from now on.
+  void rename(const RenamedThings& renamed);
+
   /// The move as it is meant: a fragment takes the place of what it is about in a question before.
   CompleteMove complete(const DialogueMove& move, const Antecedents& antecedents) const;
 
@@ -44,6 +43,7 @@ private:
   DialogueMove with_what_is_the_same(DialogueMove move) const;
   void replace_one(LogicalForm& form) const;
   void keep_landmark(CompleteMove& move) const;
+  void resolve_there(CompleteMove& move) const;
 
   std::shared_ptr<const Vocabulary> vocabulary_;
   std::optional<CompleteMove> question_;

@@ -207,6 +207,42 @@ std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
   return result;
 }
 
+namespace {
+
+void rename_all(Proxies& proxies, const RenamedThings& renamed) {
+  for (auto& x : proxies)
+    if (const auto now = renamed.find(x); now != renamed.end())
+      x = now->second;
+}
+
+} // namespace
+
+void rename(MoveReferents& move, const RenamedThings& renamed) {
+  for (auto& x : move.referents)
+    rename_all(x.proxies, renamed);
+}
+
+void rename(Antecedents& antecedents, const RenamedThings& renamed) {
+  for (auto& [name, proxies] : antecedents)
+    rename_all(proxies, renamed);
+}
+
+void note_chosen(MoveReferents& request, const std::vector<std::string>& things) {
+  const auto is_choice = [&](const DiscourseReferent& x) {
+    return x.proxies.size() > things.size() && std::ranges::all_of(things, [&](auto& thing) {
+             return std::ranges::find(x.proxies, thing) != x.proxies.end();
+           });
+  };
+  const auto left_open = std::ranges::find_if(request.referents, is_choice);
+  if (things.empty() || left_open == request.referents.end())
+    return;
+  auto all = *left_open;
+  all.is_plural = true;
+  left_open->proxies = things;
+  left_open->is_plural = things.size() > 1;
+  request.referents.push_back(std::move(all));
+}
+
 std::vector<PronounReferents> to_entry(const Antecedents& antecedents) {
   std::vector<PronounReferents> result;
   for (auto& [nominal, proxies] : antecedents)

@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/substitution.hpp"
 
+#include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
@@ -25,6 +26,10 @@ public:
       return false;
     if (other_quality() || compared_quality() || contrast() || other_value() || other_selection())
       return true;
+    if (dependent(form_, fragment_, "InsteadOf") != nullptr)
+      return instead();
+    if (other_patient())
+      return true;
     for (const bool strictly : {true, false}) {
       is_strict_ = strictly;
       seen_.clear();
@@ -49,6 +54,53 @@ private:
     return asked != nullptr && asked->sort == "thing" && fragment_.sort == "thing" &&
            is_definite(fragment_) && !is_plural(fragment_) && is_about_others(form_, fragment_) &&
            dependent(form_, *asked, "Quantity") == nullptr;
+  }
+
+  /// "Not the red one, the blue one": in the place of what is red.
+  bool instead() {
+    const auto not_meant = *dependent(form_, fragment_, "InsteadOf");
+    std::erase_if(find_nominal(form_, fragment_.name)->relations,
+                  [](auto& x) { return x.mode == "InsteadOf"; });
+    const auto whole = part_of(form_, form_.root);
+    const auto old = std::ranges::find_if(
+      whole.nominals, [&](const Nominal& x) { return is_called(x, not_meant); });
+    if (old == whole.nominals.end())
+      return false;
+    if (old->sort == "thing")
+      inherit(*old);
+    keep_anchor(*old);
+    replace(old->name);
+    return true;
+  }
+
+  /// Whether a phrase says all that the other one does.
+  bool is_called(const Nominal& x, const Nominal& other) const {
+    const bool is_same = x.proposition == other.proposition ||
+                         (other.sort == "thing" && (other.proposition == "one" ||
+                                                    vocabulary_.is_general(other.proposition)));
+    return x.sort == other.sort && is_same &&
+           std::ranges::all_of(other.relations, [&](const NominalRelation& said) {
+             const auto* property = find_nominal(form_, said.dependent);
+             const auto* own = dependent(form_, x, said.mode);
+             return property != nullptr && own != nullptr &&
+                    own->proposition == property->proposition;
+           });
+  }
+
+  /// "Put a ball behind the cube. No, the other one": the other ball.
+  bool other_patient() {
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* patient =
+      root == nullptr || root->sort != "action" ? nullptr : dependent(form_, *root, "Patient");
+    if (patient == nullptr || patient->sort != "thing" || fragment_.sort != "thing" ||
+        !is_definite(fragment_) || is_plural(fragment_) || !is_about_others(form_, fragment_) ||
+        (fragment_.proposition != "one" && fragment_.proposition != patient->proposition &&
+         !is_pronoun(*patient)))
+      return false;
+    const Nominal old = *patient;
+    inherit(old);
+    replace(old.name);
+    return true;
   }
 
   /// "The red one" is a thing of the kind that was spoken of.

@@ -289,9 +289,11 @@ TEST_F(Responses, CompleteWhatWasSaidBefore) {
   auto type_after = [&](const char* before, const char* text) {
     const CompleteMove said{move_of(before), {}};
     const auto move = move_of(text);
-    return table
-      .known_to([&](SceneKnowledge& scene) { return completed_after(said, move, {}, scene); })
-      .move.type;
+    context = QuestionContext{shared_vocabulary()};
+    context.note(said, table.known_to([&](SceneKnowledge& scene) {
+      return respond(said.move, said.antecedents, scene);
+    }));
+    return context.complete(move, {}).move.type;
   };
   EXPECT_EQ(type_after("The box is a toy.", "The large one."), DialogueMoveType::assertion);
   EXPECT_EQ(type_after("What colour is the box?", "The large one."), DialogueMoveType::question_w);

@@ -214,6 +214,52 @@ TEST_F(PlayMateIsAsked, WhatItHasDoneAndWhy) {
   EXPECT_NEAR(place("the red cube").x, 0.06, 0.015);
 }
 
+TEST_F(PlayMateIsAsked, ToPutEverythingBack) {
+  say("Move the red cube a little to the right.", "are where they were at first", {},
+      {{"right now.", "Give me the green cube."}, {"ere you are", "Put everything back."}});
+  EXPECT_LT(std::hypot(place("the red cube").x - 0.02, place("the red cube").y + 0.02), 0.04);
+  EXPECT_LT(std::hypot(place("the green cube").x - 0.20, place("the green cube").y + 0.06), 0.04);
+}
+
+TEST_F(PlayMateIsAsked, ForTheOtherOneThanItHasChosen) {
+  say("Take a cube.", "The green cube was in front of where the purple ball is now.", {},
+      {{"I hold the red cube now.", "Not that one, the other one."},
+       {"I hold the green cube now.", "Where was it before?"}});
+  const auto& things = heard().truth.things;
+  const auto cube = std::ranges::find(things, "the green cube", &TrueThing::name);
+  ASSERT_NE(cube, things.end());
+  EXPECT_EQ(cube->support, "the gripper");
+}
+
+TEST_F(PlayMateIsAsked, WhileTheArmMoves) {
+  say("Put a ball behind the red cube.", "ere you are: the yellow cylinder", {},
+      {{"I will put the purple ball", "No, the other one."},
+       {"I will put the blue ball", "And after that give me the cylinder."},
+       {"I will do that then.", "What will you do next?"},
+       {"Then I will do something else, because you said", "Stop!"},
+       {"I have stopped.", "Go on."}});
+  EXPECT_THAT(said(), testing::Contains("The blue ball is behind the red cube now."));
+  EXPECT_GT(place("the blue sphere").y, place("the red cube").y + 0.05);
+  EXPECT_LT(std::hypot(place("the purple sphere").x - 0.15, place("the purple sphere").y - 0.06),
+            0.04);
+  EXPECT_EQ(heard().truth.collisions, 0) << heard().truth.collision;
+}
+
+TEST_F(PlayMateIsAsked, AboutThingsByTheirNamesAfterTheyWereMoved) {
+  say("Put the round things next to each other.", "behind the red cube now", {},
+      {{"next to the purple ball now.", "Which of them is closer to the red cube?"},
+       {"There is a small blue ball.", "Move that one behind the red cube."}});
+  EXPECT_THAT(said(), testing::Contains("The blue ball is behind the red cube now."));
+}
+
+TEST_F(PlayMateIsAsked, ForWhatCannotBe) {
+  say("What is in your hand?", "Because", {},
+      {{"There is nothing.", "Put the red cube on the blue ball."},
+       {"nothing stays on it.", "Why can't you?"}});
+  EXPECT_THAT(said(), testing::Contains("The blue ball is round: nothing stays on it."));
+  EXPECT_THAT(said(), testing::Contains("Because the blue ball is round: nothing stays on it."));
+}
+
 TEST_F(PlayMateIsAsked, AndSaysWhyItCannot) {
   say("Put the blue ball to the right of the red cube.", "I cannot", {{"missed_grasp", "1"}});
   EXPECT_THAT(said(), testing::Contains(testing::StartsWith(
