@@ -4,6 +4,7 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/perception/vision/types.hpp"
+#include "castor/planning/manipulation/arm_file.hpp"
 #include "castor/planning/manipulation/kinematics.hpp"
 #include "castor/planning/manipulation/types.hpp"
 #include "castor/tests/playmate/playmate.hpp"
@@ -144,6 +145,34 @@ class HomeGoer final : public Asks {
 };
 CASTOR_COMPONENT(HomeGoer, "sees the executor fail")
 
+/// Has the arm stand when it has let the ball go, and vision has not seen it there.
+class Releaser final : public Asks {
+  void ask() override {
+    auto action = perform("manipulation", put("blue", 0.1, -0.1));
+    while (is_running() && !is_let_go())
+      sleep_for(20ms);
+    action.pause();
+    sleep_for(2s);
+    told().stopped = *pull<ArmState>("arm");
+    told().is_over = true;
+    told().first = action.wait(60s);
+    // Its successor takes it home by itself.
+    sleep_for(15s);
+    told().second = perform("manipulation", GoHome{}).wait(60s);
+    sleep_for(10s);
+    told().stopped = *pull<ArmState>("arm");
+    told().seen = read<vision::SceneObject>(thing("blue").address)->box.centroid;
+    told().truth = *pull<ArmStatus>("arm");
+    add(Manipulation{});
+  }
+
+  bool is_let_go() {
+    const auto grasped = read_all_in<HeldThing>("manipulation", 1);
+    return !grasped.empty() && grasped.front()->let_go;
+  }
+};
+CASTOR_COMPONENT(Releaser, "sees the executor fail when it has let a thing go")
+
 class Taker final : public Asks {
   void ask() override {
     Pick pick;
@@ -270,6 +299,28 @@ TEST_F(PlayMateWithArm, ComesToRestWhenItsExecutorFailsAndIsTakenHome) {
   EXPECT_EQ(told().first.outcome, ActionOutcome::failed);
   EXPECT_EQ(told().second.outcome, ActionOutcome::succeeded) << told().second.reason;
   EXPECT_TRUE(told().stopped.rests);
+}
+
+TEST_F(PlayMateWithArm, DrawsBackFromWhatAPredecessorHasLetGo) {
+  system_ = system_with("Releaser");
+  system_->wait_until("the ball was let go", [] { return told().is_over.load(); });
+  // The fingers are still around it.
+  EXPECT_FALSE(told().stopped.holds);
+  const auto arm = load_arm(CASTOR_CONFIGS "/arms/katana.arm").arm;
+  const auto tool = tool_pose(arm, told().stopped.positions).position;
+  EXPECT_LT(tool.z, 0.1);
+  system_->inject("crash executor");
+  system_->expect_back("executor");
+  system_->expect_entry("Manipulation in asking");
+  EXPECT_EQ(told().first.outcome, ActionOutcome::failed);
+  EXPECT_EQ(told().second.outcome, ActionOutcome::succeeded) << told().second.reason;
+  EXPECT_TRUE(told().stopped.rests);
+  const auto ball = truth("the blue sphere");
+  EXPECT_NEAR(ball.pose.position.x, 0.1, 0.02);
+  EXPECT_NEAR(ball.pose.position.y, -0.1, 0.02);
+  EXPECT_NEAR(told().seen.x, ball.pose.position.x, 0.02);
+  EXPECT_NEAR(told().seen.y, ball.pose.position.y, 0.02);
+  EXPECT_EQ(told().truth.collisions, 0) << told().truth.collision;
 }
 
 TEST_F(PlayMateWithArm, PutsDownWhereItSeesItWhatNobodyKnowsAnyMore) {
