@@ -15,6 +15,7 @@ double* setting(mapping::SlamOptions& x, std::string_view name) {
     {"late_odometry_heading", &front.late_odometry_heading},
     {"moved_behind", &front.map.moved.behind},
     {"most_moved", &front.most_moved},
+    {"believed_deviations", &front.believed_deviations},
     {"search_gain", &front.search_gain},
     {"sure_matched", &front.sure_matched},
     {"spacing", &front.spacing},

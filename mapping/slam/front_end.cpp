@@ -84,7 +84,29 @@ ScanMatch FrontEnd::match_near(const SurfacePoints& scan, const Motion& motion) 
   return b.matched > a.matched + options_.search_gain ? b : a;
 }
 
-FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion) const {
+std::optional<FrontEnd::Aligned>
+FrontEnd::without_narrow(const LaserScan& scan, const ScanMatch& all, const Motion& motion) const {
+  const auto wheels = compose(pose_, motion.step);
+  const double most = options_.believed_deviations * motion.prior.translation;
+  const Point2 off{all.pose.x - wheels.x, all.pose.y - wheels.y};
+  const bool is_far = all.matched > 0 && std::hypot(off.x, off.y) > most;
+  if (!is_far && all.matched >= options_.sure_matched)
+    return std::nullopt;
+  Aligned result;
+  result.points = surface_points(without_narrow_things(scan, options_.narrow), options_.surface);
+  result.match = match_near(thinned(result.points, options_.spacing), motion);
+  const Point2 wide_off{result.match.pose.x - wheels.x, result.match.pose.y - wheels.y};
+  const bool agrees_with_wheels = std::hypot(wide_off.x, wide_off.y) <= most;
+  // It had followed somebody before, by less than is noticed.
+  const bool is_drawn_back = is_far && wide_off.x * off.x + wide_off.y * off.y < 0 &&
+                             result.match.matched > all.matched + options_.search_gain;
+  if (result.match.matched < options_.least_matched || !(agrees_with_wheels || is_drawn_back))
+    return std::nullopt;
+  return result;
+}
+
+FrontEnd::Found FrontEnd::find(const LaserScan& scan, const SurfacePoints& points,
+                               const Motion& motion) const {
   auto standing = points;
   Found result;
   if (!motion.is_uncertain) {
@@ -92,6 +114,10 @@ FrontEnd::Found FrontEnd::find(const SurfacePoints& points, const Motion& motion
     standing = standing_of(points, result.match.pose);
     if (standing.size() < points.size())
       result.match = match_near(thinned(standing, options_.spacing), motion);
+    if (auto wide = without_narrow(scan, result.match, motion)) {
+      result.match = wide->match;
+      standing = std::move(wide->points);
+    }
     result.fits = result.match.matched >= options_.least_matched;
     if (result.match.matched >= options_.sure_matched)
       return result;
@@ -136,7 +162,7 @@ FrontEndStep FrontEnd::add(const LaserScan& scan, const Pose2& odometry) {
     make_keyframe(result, scan, odometry, points);
   } else {
     auto motion = motion_to(scan.time, odometry);
-    auto found = find(points, motion);
+    auto found = find(scan, points, motion);
     result.matched = found.match.matched;
     if (found.fits) {
       result.local_pose = found.match.pose;

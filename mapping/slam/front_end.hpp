@@ -2,6 +2,7 @@
 
 #include "castor/mapping/slam/correlative_matcher.hpp"
 #include "castor/mapping/slam/local_map.hpp"
+#include "castor/mapping/slam/narrow_things.hpp"
 #include "castor/mapping/slam/scan_matcher.hpp"
 #include "castor/mapping/slam/surface_points.hpp"
 #include "castor/mapping/slam/types.hpp"
@@ -55,6 +56,11 @@ struct FrontEndOptions {
   double least_matched = 0.4;
   /// If what seems to have moved is more of a scan, it is the robot that is elsewhere.
   double most_moved = 0.4;
+  /// A match that is further from the wheels than so many of their deviations may have followed
+  /// somebody who walks: it has if what is wider than a person fits where the wheels are, or even
+  /// on the other side of them.
+  double believed_deviations = 2;
+  NarrowOptions narrow;
   /// Score of a correlative match that is good enough to go on from it.
   double least_score = 0.5;
   /// Odometry that moves faster has jumped, m/s and rad/s.
@@ -113,13 +119,22 @@ private:
     std::string reason;
   };
 
+  struct Aligned {
+    SurfacePoints points;
+    ScanMatch match;
+  };
+
   struct Found {
     ScanMatch match;
     bool fits = false;
   };
 
   Motion motion_to(std::int64_t time, const Pose2& odometry) const;
-  Found find(const SurfacePoints& points, const Motion& motion) const;
+  Found find(const LaserScan& scan, const SurfacePoints& points, const Motion& motion) const;
+  /// The scan without narrow things, which may walk, if the match of all of it is doubtful and they
+  /// have drawn it away from the wheels.
+  std::optional<Aligned> without_narrow(const LaserScan& scan, const ScanMatch& all,
+                                        const Motion& motion) const;
   /// Those of a robot at that pose that have not moved; all if that is too much of them.
   SurfacePoints standing_of(const SurfacePoints& points, const Pose2& pose) const;
   ScanMatch match_near(const SurfacePoints& scan, const Motion& motion) const;

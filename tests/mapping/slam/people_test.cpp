@@ -85,6 +85,40 @@ TEST(SlamAmongPeople, WhoWalkIsNotMistakenForWalls) {
   EXPECT_EQ(slam.dead_reckoned(), 0);
 }
 
+/// It drives 2 m in a corridor and then turns to and fro on the spot, while people walk past it.
+/// @returns how far the pose is from the truth at most, m
+double worst_in_passing(const SlamOptions& options) {
+  std::vector<Pose2> path;
+  for (int i = 0; i < 40; ++i)
+    path.push_back({8 + 0.05 * i, 1.2, 0});
+  for (int i = 0; i < 300; ++i)
+    path.push_back({10, 1.2, 0.5 * 3.14159 * std::sin(0.06 * i)});
+  const auto walls = corridor_with_niches();
+  const auto odometry = odometry_of(path, 0);
+  std::mt19937 random{3};
+  Slam slam{options};
+  double worst = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const auto time = static_cast<double>(i) * 0.1;
+    auto seen = walls;
+    for (const double begin : {1.0, 9.0, 17.0, 25.0})
+      std::ranges::copy(person_at({std::fmod(begin + 0.7 * time, 29.0), 0.55}),
+                        std::back_inserter(seen));
+    const auto scan = scan_from(seen, path[i], static_cast<std::int64_t>(i) * scan_period);
+    const auto step = slam.add(with_noise(scan, 0.01, random), odometry[i]);
+    worst = std::max(worst, distance(in_map(path, i), step.local_pose));
+  }
+  return worst;
+}
+
+TEST(SlamAmongPeople, WhoWalksPastDoesNotTakeThePoseAlong) {
+  SlamOptions without;
+  without.front_end.believed_deviations = 1e9;
+  without.front_end.sure_matched = 0;
+  EXPECT_GT(worst_in_passing(without), 0.3) << "or it says nothing";
+  EXPECT_LT(worst_in_passing({}), 0.15);
+}
+
 } // namespace
 
 } // namespace castor::mapping::test
