@@ -29,8 +29,8 @@ CASTOR_REFLECT_ENUM(AfterArrival, stay, end)
 
 /// Drives a robot along a given path. Where something reaches into its way, it steers aside a
 /// little, by --aside at most; otherwise it waits. After --back-off it goes back a little the way
-/// it came, so that a localisation that was wrong gets other scans, and comes again; after
-/// --patience it says that somebody has to clear the way.
+/// it came, so that a localisation that was wrong gets other scans, and comes again, --recoveries
+/// times at most; after --patience it says that somebody has to clear the way, and begins anew.
 class PathDriver final : public DrivesByPose {
 public:
   PathDriver() : DrivesByPose(PoseSource::odometry) {
@@ -112,6 +112,7 @@ private:
     if (recovery_.has_stalled(now().count(), *pose(), backs_off()) &&
         recovery_.begin(now().count(), *pose())) {
       ++recoveries_;
+      way_ended_.reset();
       info("goes back a little: it does not come further at {:.2f} {:.2f}", pose()->x, pose()->y);
       go_back();
     } else if (!is_free) {
@@ -185,7 +186,8 @@ private:
       tell(what);
   }
 
-  /// Two that wait for each other would do so forever: people are told.
+  /// Two that wait for each other would do so forever, and so would a robot that is elsewhere than
+  /// it knows, before a wall: people are told, and then it goes back and comes again.
   void wait_for_way() {
     if (!way_ended_)
       way_ended_ = now();
@@ -193,8 +195,10 @@ private:
       return wait("a free way");
     const auto what = fmt::format("a free way, for more than {:.3g} s: clear it",
                                   std::chrono::duration<double>(patience_.get()).count());
-    if (waits_for_ != what)
+    if (waits_for_ != what) {
       warning("waits for {}", what);
+      recoveries_ = 0;
+    }
     wait(what);
   }
 
@@ -252,7 +256,8 @@ private:
     this, "back-off", 6000ms,
     "it goes back a little if it has not come further for so long; 0: never"};
   Option<double> back_off_way_{this, "back-off-way", 0.5, "how far it goes back, metres"};
-  Option<int> most_recoveries_{this, "recoveries", 3, "how often it does so at one place"};
+  Option<int> most_recoveries_{this, "recoveries", 3,
+                               "how often it does so at one place before it waits"};
   Option<std::int64_t> rounds_to_drive_{this, "rounds", 1, "how often it drives the path"};
   Option<std::chrono::milliseconds> period_{this, "period", 50ms, "time between commands"};
   Option<AfterArrival> after_arrival_{this, "after", AfterArrival::stay,

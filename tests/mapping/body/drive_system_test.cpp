@@ -98,7 +98,7 @@ class ShiftedLocalisation final : public UnmanagedComponent {
 CASTOR_COMPONENT(ShiftedLocalisation, "says where the robot is")
 
 /// Is off by more than a robot has room in a door, until the robot has stood before it and has gone
-/// elsewhere.
+/// elsewhere, so many times.
 class WrongLocalisation final : public UnmanagedComponent {
   void start() override {
     on_push<BodyStatus>("robot", [this](auto& x) {
@@ -109,21 +109,25 @@ class WrongLocalisation final : public UnmanagedComponent {
       }
       if (x->time - stands_since_ > 2'000'000 && x->pose.x > 4)
         stuck_at_ = place;
-      if (stuck_at_ && distance(place, *stuck_at_) > 0.3)
-        error_ = 0;
+      if (stuck_at_ && distance(place, *stuck_at_) > 0.3) {
+        stuck_at_.reset();
+        ++left_;
+      }
       if (x->time % 200'000 != 0)
         return;
       RobotPose pose;
       pose.time = x->time;
       pose.frame = "map";
       pose.pose = x->pose;
-      pose.pose.y += error_;
+      pose.pose.y += left_ < times_ ? 0.25 : 0;
       pose.state = LocalisationState::tracking;
       put(here("pose"), pose);
     });
   }
 
-  double error_ = 0.25;
+  Option<int> times_{this, "times", 1, "how often the robot has to have gone from where it stood"};
+
+  int left_ = 0;
   Point2 stood_at_;
   std::int64_t stands_since_ = 0;
   std::optional<Point2> stuck_at_;
@@ -302,6 +306,20 @@ TEST_F(DriveSystem, DriverGoesBackFromADoorPostAndComesAgain) {
   EXPECT_TRUE(freed[0].arrived) << freed[0].waits_for;
   EXPECT_NEAR(seen().statuses.back().pose.x, 7, 0.2);
   EXPECT_NEAR(seen().statuses.back().pose.y, 2.5, 0.2);
+  EXPECT_EQ(seen().statuses.back().collisions, 0);
+}
+
+TEST_F(DriveSystem, DriverThatHasAskedForAFreeWayGoesBackAgain) {
+  // More often than it does so before it asks.
+  const auto freed = progress(
+    *run("",
+         "CPP UM localisation WrongLocalisation --times 5\n"
+         "CPP UM driver PathDriver --aside 0 --recoveries 3 --patience 10s --path \"2 2.5, 7 "
+         "2.5\" --pose localisation --localisation navigation\n",
+         300s));
+  ASSERT_EQ(freed.size(), 1u);
+  EXPECT_TRUE(freed[0].arrived) << freed[0].waits_for;
+  EXPECT_NEAR(seen().statuses.back().pose.x, 7, 0.2);
   EXPECT_EQ(seen().statuses.back().collisions, 0);
 }
 
