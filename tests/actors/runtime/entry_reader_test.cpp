@@ -19,10 +19,8 @@ CASTOR_REFLECT(Sign, number)
 
 std::shared_ptr<EntryTable> table_with(const std::string& id, Version version) {
   auto result = std::make_shared<EntryTable>();
-  result->insert(id, {std::make_shared<const Entry>(
-                        Entry{{"a", id}, version, Value::of(Sign{}), "writer"}),
-                      1,
-                      {}});
+  result->insert(
+    std::make_shared<const Entry>(Entry{{"a", id}, version, Value::of(Sign{}), "writer"}), 1);
   return result;
 }
 
