@@ -153,9 +153,9 @@ function(castor_executable target)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE ${ARG_DEPENDS} castor_build_options)
-  # Vision loads its codecs, but does not link them.
-  if("castor::vision" IN_LIST ARG_DEPENDS)
-    add_dependencies(${target} castor_image_codecs)
+  # Nothing links them: they are loaded when they are needed.
+  if(NOT CASTOR_FUZZ)
+    add_dependencies(${target} castor_picture_codecs castor_video_sources)
   endif()
 endfunction()
 

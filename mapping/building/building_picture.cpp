@@ -1,8 +1,9 @@
 #include "castor/mapping/building/building_picture.hpp"
 
+#include "castor/base/picture_files.hpp"
 #include "castor/mapping/building/solids.hpp"
 
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -68,9 +69,8 @@ public:
       draw_object(object);
     draw_labels();
     draw_scale();
-    std::vector<std::uint8_t> png;
-    cv::imencode(".png", image_, png);
-    return png;
+    return encode_png(image_.cols, image_.rows, image_.channels(),
+                      {image_.data, image_.total() * image_.elemSize()});
   }
 
 private:

@@ -1,9 +1,10 @@
 #include "castor/mapping/exports/map_picture.hpp"
 
+#include "castor/base/picture_files.hpp"
 #include "castor/mapping/planar/poses.hpp"
 
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -191,8 +192,9 @@ MapPixels map_pixels(const CellMap& map, const std::vector<MapTrack>& tracks,
 
 std::string map_picture(const CellMap& map, const std::vector<MapTrack>& tracks,
                         const MapPictureOptions& options, const std::vector<MapMark>& marks) {
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", drawn(map, tracks, options, marks), bytes);
+  const auto picture = drawn(map, tracks, options, marks);
+  const auto bytes = encode_png(picture.cols, picture.rows, picture.channels(),
+                                {picture.data, picture.total() * picture.elemSize()});
   return {bytes.begin(), bytes.end()};
 }
 

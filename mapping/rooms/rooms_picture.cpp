@@ -1,6 +1,8 @@
 #include "castor/mapping/rooms/rooms_picture.hpp"
 
-#include <opencv2/imgcodecs.hpp>
+#include "castor/base/picture_files.hpp"
+
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
@@ -53,9 +55,8 @@ std::vector<std::uint8_t> picture_of(const CellMap& map, const SegmentedRooms& r
   for (const auto& x : rooms.rooms)
     cv::putText(image, std::to_string(x.number), pixel_of(x.centre), cv::FONT_HERSHEY_SIMPLEX, 0.5,
                 cv::Scalar(60, 40, 30), 1, cv::LINE_AA);
-  std::vector<std::uint8_t> png;
-  cv::imencode(".png", image, png);
-  return png;
+  return encode_png(image.cols, image.rows, image.channels(),
+                    {image.data, image.total() * image.elemSize()});
 }
 
 } // namespace castor::mapping

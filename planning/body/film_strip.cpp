@@ -1,12 +1,12 @@
 #include "castor/planning/body/film_strip.hpp"
 
+#include "castor/perception/vision/camera/image_source_file.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
 
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <stdexcept>
 #include <system_error>
 
 namespace castor::manipulation {
@@ -46,15 +46,7 @@ vision::Image FilmStrip::picture() const {
 void write_png(const vision::Image& picture, const std::filesystem::path& file) {
   std::error_code ignored;
   std::filesystem::create_directories(file.parent_path(), ignored);
-  bool is_written = false;
-  try {
-    is_written = cv::imwrite(file.string(), vision::as_mat(picture));
-  } catch (const cv::Exception&) {
-    // It says no more than false does.
-  }
-  if (!is_written)
-    throw std::runtime_error("cannot write " + file.string() +
-                             ": check that its folder can be written to");
+  vision::write_png(file, picture);
 }
 
 } // namespace castor::manipulation

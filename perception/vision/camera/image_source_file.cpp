@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "castor/base/input_file.hpp"
-#include "castor/perception/vision/camera/image_codecs.hpp"
+#include "castor/base/picture_files.hpp"
 #include "castor/perception/vision/camera/image_source_probe.hpp"
 
 namespace castor::vision {
@@ -92,11 +92,16 @@ void check_header(const std::filesystem::path& path, const std::vector<std::uint
 Image read_image(const std::filesystem::path& path, const ImageLimits& limits) {
   const auto bytes = read_bytes(path, limits);
   check_header(path, bytes, limits);
-  auto image = image_codecs().decode(bytes);
-  if (image.bytes.empty())
+  auto pixels = decode_picture(bytes);
+  if (pixels.values.empty())
     throw ImageSourceError(ImageFault::truncated, path.string(),
                            "the picture is damaged and cannot be decoded",
                            "Open it in a picture viewer and save it again, as PNG or JPEG.");
+  Image image;
+  image.width = static_cast<std::uint32_t>(pixels.width);
+  image.height = static_cast<std::uint32_t>(pixels.height);
+  image.channels = 3;
+  image.bytes = std::move(pixels.values);
   return image;
 }
 
@@ -108,9 +113,8 @@ void write_png(const std::filesystem::path& path, const Image& image) {
       "as its width, height and channels say");
   std::vector<std::uint8_t> bytes;
   try {
-    bytes = image_codecs().encode_png(image);
-  } catch (const ImageSourceError&) {
-    throw;
+    bytes = encode_png(static_cast<int>(image.width), static_cast<int>(image.height),
+                       static_cast<int>(image.channels), image.bytes);
   } catch (const std::runtime_error& e) {
     throw ImageSourceError(ImageFault::unwritable, path.string(),
                            std::string{"the picture cannot be encoded ("} + e.what() + ")",

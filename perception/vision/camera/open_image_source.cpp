@@ -7,10 +7,11 @@
 
 #include "castor/base/input_file.hpp"
 #include "castor/base/named_file.hpp"
+#include "castor/base/sibling_library.hpp"
 #include "castor/mapping/geometry/camera_model.hpp"
-#include "castor/perception/vision/camera/image_codecs.hpp"
 #include "castor/perception/vision/camera/image_source_kinds.hpp"
 #include "castor/perception/vision/camera/image_source_probe.hpp"
+#include "castor/perception/vision/camera/video_sources.hpp"
 
 namespace castor::vision {
 
@@ -56,6 +57,12 @@ bool looks_like_image(const std::filesystem::path& path) {
   }
 }
 
+const VideoSources& video_sources() {
+  static const auto& result = *reinterpret_cast<const VideoSources* (*)()>(
+    function_of_sibling("video_sources", "castor_video_sources"))();
+  return result;
+}
+
 } // namespace
 
 Camera camera_for(const ImageSourceOptions& options, int width, int height) {
@@ -88,14 +95,14 @@ std::unique_ptr<ImageSource> open_image_source(const std::string& spec,
   if (spec.starts_with(scene_prefix))
     return open_scene(resolve(spec.substr(scene_prefix.size()), options), options);
   if (spec.starts_with(device_prefix))
-    return image_codecs().open_device(spec, options);
+    return video_sources().open_device(spec, options);
   const auto path = resolve(spec, options);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     return open_folder(path, options);
   // Cameras have other names as well, such as /dev/v4l/by-id/...
   if (std::filesystem::is_character_file(path, ignored))
-    return image_codecs().open_device(path, options);
+    return video_sources().open_device(path, options);
   if (!std::filesystem::is_regular_file(path, ignored))
     throw ImageSourceError(ImageFault::unknown_kind, spec, "this is neither a file nor a folder",
                            "Name a picture, a folder, a video, a camera or a scene.");
@@ -104,7 +111,7 @@ std::unique_ptr<ImageSource> open_image_source(const std::string& spec,
   if (has_image_extension(path) || looks_like_image(path))
     return open_still(path, options);
   if (has_video_extension(path))
-    return image_codecs().open_video(path, options);
+    return video_sources().open_video(path, options);
   throw ImageSourceError(ImageFault::unknown_kind, spec,
                          "this is neither a picture nor a video nor a scene",
                          "Give it the extension of what it is, such as .png, .jpg, .avi, .mp4 or "

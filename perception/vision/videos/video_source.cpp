@@ -1,5 +1,3 @@
-#include "castor/perception/vision/codecs/video_source.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
@@ -13,6 +11,7 @@
 
 #include "castor/base/input_file.hpp"
 #include "castor/perception/vision/camera/image_source_kinds.hpp"
+#include "castor/perception/vision/camera/video_sources.hpp"
 
 namespace castor::vision {
 
@@ -239,8 +238,6 @@ private:
   std::uint64_t count_ = 0;
 };
 
-} // namespace
-
 std::unique_ptr<ImageSource> open_video(const std::filesystem::path& path,
                                         const ImageSourceOptions& options) {
   return std::make_unique<VideoSource>(path, options);
@@ -249,6 +246,13 @@ std::unique_ptr<ImageSource> open_video(const std::filesystem::path& path,
 std::unique_ptr<ImageSource> open_device(const std::filesystem::path& path,
                                          const ImageSourceOptions& options) {
   return std::make_unique<DeviceSource>(path, options);
+}
+
+} // namespace
+
+extern "C" const VideoSources* castor_video_sources() {
+  static constexpr VideoSources result{&open_video, &open_device};
+  return &result;
 }
 
 } // namespace castor::vision
