@@ -32,12 +32,12 @@ Pixels<T> pixels_of(const cv::Mat& picture) {
   return result;
 }
 
-Pixels<std::uint8_t> decode(std::span<const std::uint8_t> file) {
+Pixels<std::uint8_t> colours_of(std::span<const std::uint8_t> file) {
   const auto picture = decoded(file, cv::IMREAD_COLOR);
   return picture.type() == CV_8UC3 ? pixels_of<std::uint8_t>(picture) : Pixels<std::uint8_t>{};
 }
 
-Pixels<double> decode_unchanged(std::span<const std::uint8_t> file) {
+Pixels<double> values_of(std::span<const std::uint8_t> file) {
   const auto picture = decoded(file, cv::IMREAD_UNCHANGED);
   if (picture.empty())
     return {};
@@ -47,8 +47,8 @@ Pixels<double> decode_unchanged(std::span<const std::uint8_t> file) {
   return pixels_of<double>(result);
 }
 
-std::vector<std::uint8_t> encode_png(int width, int height, int channels,
-                                     std::span<const std::uint8_t> values) {
+std::vector<std::uint8_t> png_of(int width, int height, int channels,
+                                 std::span<const std::uint8_t> values) {
   std::vector<std::uint8_t> result;
   try {
     cv::imencode(".png",
@@ -63,7 +63,7 @@ std::vector<std::uint8_t> encode_png(int width, int height, int channels,
 } // namespace
 
 extern "C" const PictureCodecs* castor_picture_codecs() {
-  static constexpr PictureCodecs result{&decode, &decode_unchanged, &encode_png};
+  static constexpr PictureCodecs result{&colours_of, &values_of, &png_of};
   return &result;
 }
 

@@ -49,6 +49,10 @@ double* setting(mapping::SlamOptions& x, std::string_view name) {
     {"patience", &loops.patience},
     {"deviation_heading", &loops.deviation_heading},
     {"robust_loops", &x.graph.graph.robust_from},
+    {"odometry_rest", &front.odometry_rest},
+    {"odometry_rest_heading", &front.odometry_rest_heading},
+    {"odometry_turn", &front.odometry_turn},
+    {"odometry_drift", &front.odometry_drift},
   };
   for (auto& [known, value] : settings)
     if (known == name)
