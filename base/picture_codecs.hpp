@@ -1,6 +1,10 @@
 #pragma once
 
-#include "castor/base/picture_files.hpp"
+#include "castor/base/pixels.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace castor {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "castor/base/pixels.hpp"
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,16 +11,6 @@
 /// own, which is loaded with the first picture. Each function throws std::runtime_error if that
 /// cannot be loaded.
 namespace castor {
-
-/// A picture in rows from the top; of each pixel as many values as there are channels, B, G, R if
-/// there are three.
-template <class T>
-struct Pixels {
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  std::vector<T> values;
-};
 
 /// A picture in any usual format, in 8-bit B, G, R; turned upright, without transparency. Without
 /// pixels if it cannot be decoded.

@@ -26,6 +26,8 @@ protected:
   /// Calls binding. Nothing if there is no binding, or no answer in time.
   std::optional<binding::ReferenceReply> ask(const std::string& binding_subarchitecture,
                                              binding::ReferenceRequest request) {
+    if (this->now() < no_binding_until_)
+      return std::nullopt;
     try {
       request.known_ontology = known_ontology_;
       auto reply = this->template call<binding::ReferenceRequest, binding::ReferenceReply>(
@@ -39,6 +41,8 @@ protected:
       return reply;
     } catch (const UnknownSubarchitectureException&) {
       this->debug("there is no binding in this system");
+      // To find that out takes a while, and a move has several questions.
+      no_binding_until_ = this->now() + std::chrono::seconds{5};
     } catch (const PermissionException& e) {
       this->warning("binding cannot be asked: {}", e.what());
     } catch (const DeadlineException&) {
@@ -106,6 +110,7 @@ private:
   std::shared_ptr<const Vocabulary> vocabulary_;
   /// Version of the vocabulary's ontology; 0 if binding has not answered yet.
   std::uint64_t known_ontology_ = 0;
+  Timestamp no_binding_until_{0};
 };
 
 } // namespace castor::communication

@@ -132,7 +132,11 @@ FrontEnd::Found FrontEnd::find(const LaserScan& scan, const SurfacePoints& point
   if (!best)
     return result;
   auto match = matcher_->match(map_.points(), thinned(standing, options_.spacing), best->pose, {});
-  if (match.matched >= options_.least_matched &&
+  // Closest points may move the scan on and on, where nothing tells how far along a wall it is.
+  const auto off = between(compose(pose_, motion.step), match.pose);
+  const bool is_in_window = std::hypot(off.x, off.y) <= std::numbers::sqrt2 * window.translation &&
+                            std::abs(off.heading) <= window.heading + 0.05;
+  if (is_in_window && match.matched >= options_.least_matched &&
       match.matched > result.match.matched + options_.search_gain) {
     result.match = match;
     result.fits = true;

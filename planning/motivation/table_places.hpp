@@ -1,6 +1,6 @@
 #pragma once
 
-#include "castor/planning/motivation/table_goals.hpp"
+#include "castor/planning/motivation/table_things.hpp"
 
 #include <span>
 #include <string>

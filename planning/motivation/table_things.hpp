@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// What requests about a table are about.
+namespace castor::planning {
+
+/// A place on the table that a goal is about, metres.
+struct TableSpot {
+  /// In the goal's formula.
+  std::string name;
+  double x = 0;
+  double y = 0;
+
+  friend bool operator==(const TableSpot&, const TableSpot&) = default;
+};
+
+/// Something on the table that requests are about.
+struct TableThing {
+  /// The proxy by which requests refer to it.
+  std::string proxy;
+  /// The planner's names for it and for the waypoint that it is at.
+  std::string object;
+  std::string waypoint;
+  /// How it is called: "the red ball".
+  std::string words;
+  /// To the right, metres.
+  double x = 0;
+  /// By kinds of features: colour, shape, size.
+  std::map<std::string, std::string, std::less<>> qualities = {};
+  /// Parts of the table that it is in, such as left.
+  std::vector<std::string> parts = {};
+  /// The waypoint where it was before it was last moved; empty if it was not.
+  std::string waypoint_before = {};
+  bool is_held = false;
+  /// Other proxies by which requests may refer to it.
+  std::vector<std::string> former_proxies = {};
+  /// Where it was before the last goal; empty if that did not move it.
+  std::string waypoint_before_goal = {};
+  /// Away from the viewer, and of the disc that it fits in, metres.
+  double y = 0;
+  double radius = 0.03;
+  /// The waypoint where it was before it was moved for the first time; empty if it was not.
+  std::string waypoint_at_first = {};
+  /// That of `waypoint_before`; without a name if there is none.
+  TableSpot spot_before = {};
+
+  bool was_moved() const { return !waypoint_before.empty(); }
+};
+
+} // namespace castor::planning
