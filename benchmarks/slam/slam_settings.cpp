@@ -16,6 +16,8 @@ double* setting(mapping::SlamOptions& x, std::string_view name) {
     {"moved_behind", &front.map.moved.behind},
     {"most_moved", &front.most_moved},
     {"believed_deviations", &front.believed_deviations},
+    {"few_points", &front.few_points},
+    {"most_deviations", &front.most_deviations},
     {"search_gain", &front.search_gain},
     {"sure_matched", &front.sure_matched},
     {"spacing", &front.spacing},

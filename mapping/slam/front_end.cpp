@@ -105,6 +105,29 @@ FrontEnd::without_narrow(const LaserScan& scan, const ScanMatch& all, const Moti
   return result;
 }
 
+void FrontEnd::keep_to_wheels(ScanMatch& match, const Motion& motion) const {
+  if (match.matched <= 0 || match.observability >= options_.few_points)
+    return;
+  auto& covariance = match.covariance;
+  const double direction = 0.5 * std::atan2(2 * covariance.xy, covariance.xx - covariance.yy);
+  const Point2 weak{std::cos(direction), std::sin(direction)};
+  const auto off = [&](const Pose2& step) {
+    const auto from = compose(pose_, step);
+    return (match.pose.x - from.x) * weak.x + (match.pose.y - from.y) * weak.y;
+  };
+  const double deviation = motion.prior.translation;
+  const double off_wheels = off(motion.step);
+  const double most = options_.most_deviations * deviation;
+  // If odometry is late, the robot goes on as before.
+  if (std::abs(off_wheels) <= most || (motion.as_before && std::abs(off(*motion.as_before)) <= most))
+    return;
+  match.pose.x -= off_wheels * weak.x;
+  match.pose.y -= off_wheels * weak.y;
+  covariance.xx += squared(deviation * weak.x);
+  covariance.yy += squared(deviation * weak.y);
+  covariance.xy += squared(deviation) * weak.x * weak.y;
+}
+
 FrontEnd::Found FrontEnd::find(const LaserScan& scan, const SurfacePoints& points,
                                const Motion& motion) const {
   auto standing = points;
@@ -118,6 +141,7 @@ FrontEnd::Found FrontEnd::find(const LaserScan& scan, const SurfacePoints& point
       result.match = wide->match;
       standing = std::move(wide->points);
     }
+    keep_to_wheels(result.match, motion);
     result.fits = result.match.matched >= options_.least_matched;
     if (result.match.matched >= options_.sure_matched)
       return result;

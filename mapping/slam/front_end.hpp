@@ -61,6 +61,11 @@ struct FrontEndOptions {
   /// on the other side of them.
   double believed_deviations = 2;
   NarrowOptions narrow;
+  /// Where fewer of the points than this share notice movement in some direction, they may be of
+  /// somebody who walks: further from the wheels and from going on as before than so many
+  /// deviations, the wheels count in that direction.
+  double few_points = 0.15;
+  double most_deviations = 3;
   /// Score of a correlative match that is good enough to go on from it.
   double least_score = 0.5;
   /// Odometry that moves faster has jumped, m/s and rad/s.
@@ -135,6 +140,9 @@ private:
   /// have drawn it away from the wheels.
   std::optional<Aligned> without_narrow(const LaserScan& scan, const ScanMatch& all,
                                         const Motion& motion) const;
+  /// Lets the wheels count in the direction in which few points tell where the robot is, if the
+  /// match is too far from them there.
+  void keep_to_wheels(ScanMatch& match, const Motion& motion) const;
   /// Those of a robot at that pose that have not moved; all if that is too much of them.
   SurfacePoints standing_of(const SurfacePoints& points, const Pose2& pose) const;
   ScanMatch match_near(const SurfacePoints& scan, const Motion& motion) const;
