@@ -96,6 +96,34 @@ TEST_F(FrontEndTest, OdometryThatComesLate) {
   EXPECT_LT(worst, 0.15);
 }
 
+/// Something as wide as a trolley goes along a wall of a corridor in which the robot stands: all
+/// that tells where along it the robot is. Returns how far the robot seems to go.
+double taken_along(const FrontEndOptions& options) {
+  FrontEnd front_end(options);
+  std::mt19937 random{3};
+  double result = 0;
+  for (int i = 0; i < 60; ++i) {
+    // It comes at a walk after a second, and is never seen through.
+    const double front = 3 - 0.08 * std::max(0, i - 10);
+    const std::vector<Wall> walls{{{-30, 1.2}, {30, 1.2}},
+                                  {{-30, -1.2}, {30, -1.2}},
+                                  {{front, -1.2}, {front, -0.1}},
+                                  {{front, -0.1}, {front + 1.2, -0.1}},
+                                  {{front + 1.2, -0.1}, {front + 1.2, -1.2}}};
+    const auto step =
+      front_end.add(with_noise(scan_from(walls, {}, i * period), 0.01, random), Pose2{});
+    result = std::max(result, std::hypot(step.local_pose.x, step.local_pose.y));
+  }
+  return result;
+}
+
+TEST(FrontEndInACorridor, ARobotThatStandsIsNotTakenAlong) {
+  EXPECT_LT(taken_along({}), 0.1);
+  FrontEndOptions points_only;
+  points_only.few_points = 0;
+  EXPECT_GT(taken_along(points_only), 0.3) << "this shows nothing";
+}
+
 TEST_F(FrontEndTest, ABlindLaserLeavesTheWheels) {
   for (std::size_t i = 0; i < 40; ++i)
     see(i);
