@@ -161,9 +161,7 @@ int measure(const Settings& settings) {
 } // namespace castor::manipulation
 
 int main(int argc, char** argv) {
-  const auto argument = [&](int index, const char* otherwise) {
-    return std::string(argc > index ? argv[index] : otherwise);
-  };
+  const castor::manipulation::Arguments argument{argc, argv};
   try {
     castor::manipulation::Settings settings;
     settings.tables = std::stoi(argument(1, "50"));

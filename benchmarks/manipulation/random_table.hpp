@@ -64,6 +64,16 @@ std::string scene_text(const std::vector<RandomThing>& things);
 /// 0 of none.
 double median(std::vector<double> x);
 
+/// Words of a command line, by their places.
+struct Arguments {
+  int count = 0;
+  char** words = nullptr;
+
+  std::string operator()(int index, const char* otherwise) const {
+    return count > index ? words[index] : otherwise;
+  }
+};
+
 std::string text_of_file(const std::string& file);
 
 } // namespace castor::manipulation

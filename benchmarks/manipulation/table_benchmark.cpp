@@ -270,9 +270,7 @@ int measure(const Settings& settings) {
 } // namespace castor::manipulation
 
 int main(int argc, char** argv) {
-  const auto argument = [&](int index, const char* otherwise) {
-    return std::string(argc > index ? argv[index] : otherwise);
-  };
+  const castor::manipulation::Arguments argument{argc, argv};
   return castor::manipulation::measure({std::atoi(argument(1, "50").c_str()),
                                         std::strtoull(argument(2, "1").c_str(), nullptr, 10),
                                         argument(3, "0"), argument(4, "0"), argument(5, "")});

@@ -270,9 +270,7 @@ int measure(std::uint64_t from, int count, const std::string& output) {
 } // namespace castor::manipulation
 
 int main(int argc, char** argv) {
-  const auto argument = [&](int index, const char* otherwise) {
-    return std::string(argc > index ? argv[index] : otherwise);
-  };
+  const castor::manipulation::Arguments argument{argc, argv};
   return castor::manipulation::measure(std::strtoull(argument(1, "1").c_str(), nullptr, 10),
                                        std::atoi(argument(2, "50").c_str()), argument(3, ""));
 }

@@ -65,6 +65,14 @@ protected:
     return {};
   }
 
+  /// Waits for the end of an action whose executor is ended, and takes the arm home.
+  void outlive(ActionHandle& action) {
+    told().first = action.wait(60s);
+    // Its successor takes it home by itself.
+    sleep_for(15s);
+    told().second = perform("manipulation", GoHome{}).wait(60s);
+  }
+
   PickAndPlace put(const std::string& colour, double x, double y) {
     PickAndPlace result;
     result.what = thing(colour);
@@ -135,10 +143,7 @@ class HomeGoer final : public Asks {
       sleep_for(100ms);
     told().stopped = *pull<ArmState>("arm");
     told().is_over = true;
-    told().first = action.wait(60s);
-    // Its successor takes it home by itself.
-    sleep_for(15s);
-    told().second = perform("manipulation", GoHome{}).wait(60s);
+    outlive(action);
     told().stopped = *pull<ArmState>("arm");
     add(Manipulation{});
   }
@@ -155,10 +160,7 @@ class Releaser final : public Asks {
     sleep_for(2s);
     told().stopped = *pull<ArmState>("arm");
     told().is_over = true;
-    told().first = action.wait(60s);
-    // Its successor takes it home by itself.
-    sleep_for(15s);
-    told().second = perform("manipulation", GoHome{}).wait(60s);
+    outlive(action);
     sleep_for(10s);
     told().stopped = *pull<ArmState>("arm");
     told().seen = read<vision::SceneObject>(thing("blue").address)->box.centroid;
