@@ -164,8 +164,10 @@ void ComponentShell::live() {
   record_->set_state(ComponentState::started);
   phase_done(Phase::start, {});
   await_phase(Phase::run);
-  record_->set_state(ComponentState::running);
-  code_.run(phase_name(Phase::run), [this] { component_->run(); });
+  code_.run(phase_name(Phase::run), [this] {
+    record_->set_state(ComponentState::running);
+    component_->run();
+  });
   while (deliver_until(never, nullptr)) {
     // Only callbacks from now on.
   }

@@ -2,6 +2,17 @@
 
 namespace castor {
 
+namespace {
+
+/// One that is busy for no longer than this merely polls.
+constexpr std::chrono::milliseconds polling{200};
+
+} // namespace
+
+bool has_work(const ComponentStatus& x) {
+  return x.busy > polling || (x.state == ComponentState::started && !x.out_of_reach);
+}
+
 std::string state_of(const ComponentStatus& x) {
   if (x.will_restart)
     return "restarting";

@@ -41,6 +41,10 @@ struct ComponentStatus {
 /// State for people: the name of the state, or "restarting".
 std::string state_of(const ComponentStatus& x);
 
+/// Whether it keeps a system from being quiet: it has been busy for longer than one that merely
+/// polls, or has started and has not begun to run.
+bool has_work(const ComponentStatus& x);
+
 ComponentStatus status_of(const ComponentRecord& x, ComponentRecord::Clock::time_point now);
 
 } // namespace castor

@@ -10,7 +10,8 @@ namespace castor {
 struct RunLimits {
   /// No limit if there is no value.
   std::optional<std::chrono::nanoseconds> at_most = {};
-  /// Time without changes and busy components after which the run ends.
+  /// Time without changes, busy components, failures and restarts after which the run ends; of
+  /// simulated time, without changes.
   std::optional<std::chrono::nanoseconds> quiet = {};
   /// Real time after which a run in simulated time ends, in case that time stands.
   std::optional<std::chrono::nanoseconds> at_most_real = {};

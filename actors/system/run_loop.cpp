@@ -26,16 +26,7 @@ constexpr std::chrono::milliseconds glance_interval = 50ms;
 /// How long simulated time may stand before that is reported.
 constexpr auto standing_time = 3s;
 
-/// A component that was busy for longer than this when looked at keeps a system from being quiet;
-/// one that merely polls does not.
-constexpr auto polling = 200ms;
-
 using CpuTimes = std::map<std::string, std::chrono::nanoseconds>;
-
-bool somebody_is_busy(const std::vector<ComponentStatus>& components) {
-  return std::any_of(components.begin(), components.end(),
-                     [](auto& x) { return x.busy > polling; });
-}
 
 CpuTimes cpu_of(const std::vector<ComponentStatus>& components) {
   CpuTimes result;
@@ -54,15 +45,23 @@ std::string names_of_working(const std::vector<ComponentStatus>& components, con
     // Task managers only work because of the others.
     auto has_worked =
       !x.is_task_manager && i != then.end() && x.cpu - i->second > standing_time / 10;
-    if (x.busy > polling || has_worked)
+    if (has_work(x) || has_worked)
       result += (result.empty() ? "" : ", ") + name;
   }
   return result;
 }
 
+/// Whether components have failed, been started again, come or gone since `then`.
+bool have_states_changed(const std::vector<ComponentStatus>& then,
+                         const std::vector<ComponentStatus>& now) {
+  return !std::ranges::equal(then, now, [](auto& x, auto& y) {
+    return x.identity.name == y.identity.name && x.state == y.state && x.restarts == y.restarts;
+  });
+}
+
 /// Task managers alone do nothing.
 bool all_failed(const std::vector<ComponentStatus>& components) {
-  return std::all_of(components.begin(), components.end(), [](auto& x) {
+  return std::ranges::all_of(components, [](auto& x) {
     return x.is_task_manager ||
            (x.state == ComponentState::failed && !x.out_of_reach && !x.will_restart);
   });
@@ -101,6 +100,7 @@ std::optional<EndReason> RunLoop::look() {
   carry_out_orders();
   if (interrupted())
     return EndReason::interrupted;
+  looked_at_ = std::chrono::steady_clock::now();
   components_ = parts_.status.components();
   if (all_failed(components_))
     return EndReason::all_failed;
@@ -112,17 +112,22 @@ EndReason RunLoop::wait_for_real_time(const RunLimits& until) {
   auto last_activity = begin;
   std::uint64_t last_events = 0;
   for (;;) {
+    const auto before = components_;
     if (auto reason = look())
       return *reason;
-    auto now = std::chrono::steady_clock::now();
+    const auto now = looked_at_;
     if (until.at_most && now - begin >= *until.at_most)
       return EndReason::time_over;
     if (!until.quiet)
       continue;
     auto events = parts_.status.sum_of(&WorkingMemoryStatus::events);
-    if (std::exchange(last_events, events) != events || somebody_is_busy(components_))
+    if (std::exchange(last_events, events) != events || have_states_changed(before, components_) ||
+        std::ranges::any_of(components_, has_work))
       last_activity = now;
-    if (now - last_activity >= *until.quiet)
+    const auto quiet = last_activity + *until.quiet;
+    // Who has been busy since then may be about to change something; this thread may look late.
+    auto is_in_the_middle = [&](auto& x) { return x.busy > 0ns && now - x.busy < quiet; };
+    if (now >= quiet && std::ranges::none_of(components_, is_in_the_middle))
       return EndReason::quiet;
   }
 }

@@ -63,7 +63,9 @@ private:
   /// Its configuration was wrong, so it has never run.
   bool was_refused_ = false;
   bool stopped_ = false;
-  /// Of the last look: what the components do, which simulated time it is, and since when.
+  /// Of the last look: when it was, what the components do, which simulated time it is, and since
+  /// when.
+  std::chrono::steady_clock::time_point looked_at_{};
   std::vector<ComponentStatus> components_;
   Timestamp seen_time_{0};
   std::chrono::steady_clock::time_point seen_since_{};

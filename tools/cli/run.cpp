@@ -347,7 +347,8 @@ void add_run(CLI::App& app, Action& chosen, const std::vector<std::string>& plug
     ->check(check_duration);
   command
     ->add_option("--until-quiet", arguments->quiet,
-                 "stop when no entry has changed and no component was busy for this long")
+                 "stop when no entry has changed and no component was busy, has failed or was "
+                 "restarted for this long")
     ->type_name("DURATION")
     ->check(check_duration);
   command

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
 #include <utility>
 
 namespace castor::test {
 
 namespace {
+
+using namespace std::chrono_literals;
 
 class ComponentStatuses : public testing::Test {
 protected:
@@ -69,6 +72,21 @@ TEST_F(ComponentStatuses, TellThoseWhoComeBackFromThoseWhoDoNot) {
   auto x = component_statuses(roster, parts)[1];
   EXPECT_EQ(state_of(x), "restarting");
   EXPECT_FALSE(x.out_of_reach);
+}
+
+TEST(ComponentStatus, ShowsWhetherTheComponentHasWork) {
+  ComponentStatus x;
+  x.state = ComponentState::running;
+  EXPECT_FALSE(has_work(x));
+  x.busy = 10ms;
+  EXPECT_FALSE(has_work(x)) << "it merely polls";
+  x.busy = 1s;
+  EXPECT_TRUE(has_work(x));
+  x.busy = 0ms;
+  x.state = ComponentState::started;
+  EXPECT_TRUE(has_work(x)) << "it is going to run";
+  x.out_of_reach = true;
+  EXPECT_FALSE(has_work(x));
 }
 
 } // namespace

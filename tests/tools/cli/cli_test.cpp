@@ -260,6 +260,17 @@ TEST_F(Castor, AFailedComponentShowsInReportAndStatus) {
   EXPECT_NE(castor.output().find("failed in run(): the spring is gone"), std::string::npos);
 }
 
+TEST_F(Castor, IsNotQuietWhileAComponentFailsAgainAndAgain) {
+  auto file = write("broken.cast", "SUPERVISE a DELAY 150ms TO 150ms\n"
+                                   "SUBARCHITECTURE a localhost\n"
+                                   "CPP WM SubarchitectureWorkingMemory\n"
+                                   "CPP TM AlwaysPositiveTaskManager\n"
+                                   "CPP UM broken Broken\n");
+  auto answer = ask({"run", file, "--until-quiet", "1s"});
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_NE(answer.errors.find("ended by the supervisor"), std::string::npos) << answer.errors;
+}
+
 TEST_F(Castor, SaysOnceWhyAComponentHasFailed) {
   auto times = [](const std::string& what, const std::string& text) {
     std::size_t result = 0;
