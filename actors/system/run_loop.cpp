@@ -94,13 +94,15 @@ EndReason RunLoop::wait(const RunLimits& until) {
   return parts_.clock ? wait_for_simulated_time(until) : wait_for_real_time(until);
 }
 
-std::optional<EndReason> RunLoop::look() {
+std::optional<EndReason> RunLoop::look(bool asks_all) {
   if (parts_.inbox.wait(glance_interval))
     return EndReason::ended_by_component;
   carry_out_orders();
   if (interrupted())
     return EndReason::interrupted;
   looked_at_ = std::chrono::steady_clock::now();
+  if (!asks_all && !parts_.status.is_nobody_left())
+    return std::nullopt;
   components_ = parts_.status.components();
   if (all_failed(components_))
     return EndReason::all_failed;
@@ -113,7 +115,7 @@ EndReason RunLoop::wait_for_real_time(const RunLimits& until) {
   std::uint64_t last_events = 0;
   for (;;) {
     const auto before = components_;
-    if (auto reason = look())
+    if (auto reason = look(until.quiet.has_value()))
       return *reason;
     const auto now = looked_at_;
     if (until.at_most && now - begin >= *until.at_most)
@@ -161,7 +163,7 @@ EndReason RunLoop::wait_for_simulated_time(const RunLimits& until) {
     parts_.inbox.forget_limit();
     clock.set_limit(std::min(end, quiet));
     while (!parts_.inbox.is_at_limit()) {
-      if (auto reason = look())
+      if (auto reason = look(true))
         return *reason;
       if (until.at_most_real &&
           std::chrono::steady_clock::now() - real_begin >= *until.at_most_real)

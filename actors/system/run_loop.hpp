@@ -50,8 +50,8 @@ private:
   EndReason wait_for_real_time(const RunLimits& until);
   EndReason wait_for_simulated_time(const RunLimits& until);
   /// Waits for at most `glance_interval`. The reason to end, if there is one besides time and
-  /// quiet.
-  std::optional<EndReason> look();
+  /// quiet. Asks all processes what their components do only if it has to, as that wakes them.
+  std::optional<EndReason> look(bool asks_all);
   /// Names those for whom simulated time stands.
   void report_standing_time();
   void carry_out_orders();

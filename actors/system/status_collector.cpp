@@ -1,5 +1,6 @@
 #include "castor/actors/system/status_collector.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -46,6 +47,11 @@ PartStatuses StatusCollector::parts() {
 
 std::vector<ComponentStatus> StatusCollector::components() {
   return component_statuses(*roster_.newest(), parts());
+}
+
+bool StatusCollector::is_nobody_left() const {
+  return std::ranges::none_of(roster_.newest()->components,
+                              [](auto& x) { return !x.is_task_manager && x.will_restart; });
 }
 
 SystemSummary StatusCollector::summary(const std::vector<std::string>& stuck) {

@@ -30,6 +30,9 @@ public:
   std::vector<WorkingMemoryStatus> working_memories();
   std::uint64_t sum_of(std::uint64_t WorkingMemoryStatus::*counter);
   std::vector<ComponentStatus> components();
+  /// Whether all components have ended and none will be started again, as far as the supervisor
+  /// knows, which costs nobody anything.
+  bool is_nobody_left() const;
   /// `stuck` are the components that did not stop.
   SystemSummary summary(const std::vector<std::string>& stuck);
   /// Everything in a subarchitecture's working memory, the most recently written first.
