@@ -16,10 +16,12 @@ void Deployments::add(Order x) {
     begin();
 }
 
-template <class Answer, class Question>
-void Deployments::ask(const Question& question,
-                      std::function<void(ProcessNumber, const Answer&)> take,
+template <class Answer>
+void Deployments::ask(const caf::message& question,
+                      std::function<void(ProcessNumber, const Answer&)> take_answer,
                       std::function<void()> then) {
+  // One for all processes: it may be large.
+  auto take = std::make_shared<decltype(take_answer)>(std::move(take_answer));
   then_ = std::move(then);
   auto number = ++question_;
   std::erase_if(asked_, [this](auto x) { return processes_.state(x).link == LinkState::lost; });
@@ -33,7 +35,7 @@ void Deployments::ask(const Question& question,
       .then(
         [self = shared_from_this(), take, process, number, answered](const Answer& x) {
           if (number == self->question_)
-            take(process, x);
+            (*take)(process, x);
           answered();
         },
         [self = shared_from_this(), process, number, answered](const caf::error& error) {
@@ -48,7 +50,7 @@ void Deployments::ask(const Question& question,
 
 void Deployments::begin() {
   problems_.clear();
-  auto plan = orders_.front().plan();
+  auto plan = std::make_shared<const PartPlan>(orders_.front().plan());
   asked_.clear();
   planned_.clear();
   for (std::size_t i = 0; i < processes_.size(); ++i) {
@@ -58,12 +60,13 @@ void Deployments::begin() {
       planned_.insert(process);
   }
   ask<PartMade>(
-    plan, [this, plan](ProcessNumber from, const PartMade& x) { take(plan, from, x); },
+    caf::make_message(*plan),
+    [this, plan](ProcessNumber from, const PartMade& x) { take(*plan, from, x); },
     [this, plan] {
       if (!problems_.empty())
         return finish();
       std::set<std::string> names{working_memory_of(health_subarchitecture)};
-      for_each_component(plan.architecture, [&](auto& x) { names.insert(x.name); });
+      for_each_component(plan->architecture, [&](auto& x) { names.insert(x.name); });
       std::erase_if(actors_, [&](auto& x) { return names.count(x.first) == 0; });
       introduce();
     });
@@ -86,7 +89,8 @@ void Deployments::introduce() {
   std::copy_if(planned_.begin(), planned_.end(), std::inserter(all.processes, all.processes.end()),
                [this](auto x) { return behind_.count(x) == 0; });
   ask<Acknowledged>(
-    all, [](ProcessNumber, const Acknowledged&) {}, [this] { finish(); });
+    caf::make_message(std::move(all)), [](ProcessNumber, const Acknowledged&) {},
+    [this] { finish(); });
 }
 
 void Deployments::finish() {

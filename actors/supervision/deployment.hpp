@@ -4,6 +4,7 @@
 #include "castor/actors/node/processes.hpp"
 
 #include <caf/event_based_actor.hpp>
+#include <caf/message.hpp>
 
 #include <deque>
 #include <functional>
@@ -48,8 +49,9 @@ public:
 private:
   /// Sends a question to the processes that the plan went to, unless they are lost; calls `then`
   /// once all have answered that are waited for.
-  template <class Answer, class Question>
-  void ask(const Question& question, std::function<void(ProcessNumber, const Answer&)> take,
+  template <class Answer>
+  void ask(const caf::message& question,
+           std::function<void(ProcessNumber, const Answer&)> take_answer,
            std::function<void()> then);
   void begin();
   /// Whether the order under way has to wait for an answer of that process.

@@ -15,7 +15,7 @@ REST = 4.0
 PATIENCE = 600.0
 
 
-class RobotError(Exception):
+class RobotError(RuntimeError):
     """The system did not do what it should."""
 
 

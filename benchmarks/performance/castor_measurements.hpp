@@ -39,11 +39,17 @@ void measure_link_readers(const Arguments& x);
 /// `folder`: figure `rate`.
 void measure_durable_writes(const Arguments& x);
 
-// -- idle systems
+// -- systems of many nodes, or many components
 
 /// A mesh of `nodes`, each with a component: figures `cpu` (percent of a core, all processes) and
 /// `memory` (bytes for each node).
 void measure_idle_mesh(const Arguments& x);
+/// A system with so many `nodes`: figures `start` (seconds), and, each followed by `_coordinator` or
+/// `_node`, what it takes of one process: `start` (seconds of processor time), `idle` (seconds for
+/// each second), `memory` (bytes) and `hearing` (seconds for each event and node); `p50` and `p99`
+/// (microseconds until all nodes have heard of an overwrite); `silent` and `killed` (seconds until
+/// a node that is stopped, or killed, is out of reach).
+void measure_mesh(const Arguments& x);
 /// One process with so many `components`: figures `cpu` (percent of a core), `memory` (bytes for
 /// each component) and `start` (seconds).
 void measure_idle_components(const Arguments& x);

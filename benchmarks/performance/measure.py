@@ -194,9 +194,9 @@ class Measurement:
         self.loads = []
         self.failures = {}
 
-    def work(self, progress=lambda done, total, round_number, run: None):
+    def work(self, progress=lambda done, round_number, run: None):
         for done, (round_number, run) in enumerate(self.schedule):
-            progress(done, len(self.schedule), round_number, run)
+            progress(done, round_number, run)
             if run in self.failures:
                 continue
             self.programs.load.share_since()

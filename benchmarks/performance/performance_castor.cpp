@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
                           {"link_events", measure_link_events},
                           {"link_readers", measure_link_readers},
                           {"durable_writes", measure_durable_writes},
+                          {"mesh", measure_mesh},
                           {"idle_mesh", measure_idle_mesh},
                           {"idle_components", measure_idle_components}});
 }

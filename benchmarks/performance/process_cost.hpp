@@ -6,8 +6,8 @@
 
 namespace castor::benchmark {
 
-/// Seconds of processor time that the threads of a process have taken, as the kernel counts them in
-/// nanoseconds (/proc/PID/task/TID/schedstat). Those of ended threads are not in it.
+/// Seconds of processor time that a process has taken, by its clock, which counts nanoseconds and
+/// ended threads, too.
 double processor_seconds(pid_t process);
 
 /// Memory of a process in bytes: its own, and its share of what it has in common with others (PSS).
