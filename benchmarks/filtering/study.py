@@ -231,7 +231,7 @@ def page_rows(results):
                 points = []
                 for share in SHARES:
                     for layout in LAYOUTS:
-                        label = f"{_percent(share)} across, {layout}"
+                        label = f"{_percent(share)} across, {LAYOUTS[layout]}"
                         points.append(Point(label, None, figure))
                         found = samples_of(results, Case(SIZES[0], layout, share, scheme, nodes)).get(figure)
                         if found:

@@ -115,7 +115,8 @@ def _row(row, results, old):
 def page(rows, results, old=None, title="What Castor costs"):
     """HTML of the results, compared with older ones if there are any."""
     measured = [row for row in rows if results["rows"].get(row.name)]
-    legend = "Bars are medians, the thin lines reach from the least to the most that a round gave; dashed: the aim"
+    legend = "Bars are medians, the thin lines reach from the least to the most that a round gave"
+    legend += "; dashed: the aim" if any(row.aims for row in measured) else ""
     legend += "; upright lines: the older run." if old else "."
     return "\n".join([
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">',

@@ -6,7 +6,9 @@ from figures import figure_at, number
 
 # Of the picture; it is as wide as a phone, and scaled up on wider screens.
 WIDTH = 360
-NAME_WIDTH = 112
+LEAST_NAME_WIDTH = 112
+# Of a letter, about, at the size that the page has for plots.
+LETTER_WIDTH = 5.6
 VALUE_WIDTH = 58
 BAR = 12
 STEP = 19
@@ -23,6 +25,8 @@ class Bars:
         figures = [figure_at(results, row.name, point) for point in self._points()]
         ends = [x.high for x in figures if x] + [self.aims[x] for x in self._points() if x in self.aims]
         self.most = max(ends, default=0) or 1.0
+        names = [x.name for x in self.shown] if len(self.shown) > 1 else self._labels()
+        self.name_width = max(LEAST_NAME_WIDTH, max(map(len, names), default=0) * LETTER_WIDTH + 6)
 
     def _points(self):
         return [(line.name, point.label) for line in self.shown for point in line.points]
@@ -49,15 +53,16 @@ class Bars:
                 + "".join(parts) + "</svg>")
 
     def _x(self, value):
-        return NAME_WIDTH + value / self.most * (WIDTH - NAME_WIDTH - VALUE_WIDTH)
+        return self.name_width + value / self.most * (WIDTH - self.name_width - VALUE_WIDTH)
 
     def _bar(self, y, name, point, i, figure):
         middle = y + BAR / 2
         end = self._x(figure.median)
         tip = (f"{', '.join(point)}: {number(figure.median)} {self.row.unit}, {number(figure.low)} to "
                f"{number(figure.high)} in {figure.count} rounds")
-        parts = [f'<g class="s{min(i, 4)}"><title>{escape(tip)}</title>', _text(NAME_WIDTH - 6, y + 10, name, "name"),
-                 f'<rect x="{NAME_WIDTH}" y="{y}" width="{max(end - NAME_WIDTH, 1):.1f}" height="{BAR}" rx="2"/>',
+        parts = [f'<g class="s{min(i, 4)}"><title>{escape(tip)}</title>', _text(self.name_width - 6, y + 10, name, "name"),
+                 f'<rect x="{self.name_width:g}" y="{y}" width="{max(end - self.name_width, 1):.1f}" height="{BAR}" '
+                 'rx="2"/>',
                  f'<path class="spread" d="M{self._x(figure.low):.1f} {middle}H{self._x(figure.high):.1f}"/>']
         old = figure_at(self.old, self.row.name, point) if self.old else None
         if old is not None and old.median <= self.most:
