@@ -34,10 +34,29 @@ GroundPoint axis_of(SpatialRelation relation, const GroundPoint& landmark,
   return {};
 }
 
+/// 1 along the axis, 0 at a right angle to it.
+double fit_along(const GroundPoint& axis, const GroundPoint& way) {
+  if (way.x == 0 && way.y == 0)
+    return 1;
+  const double along = way.x * axis.x + way.y * axis.y;
+  if (along <= 0)
+    return 0;
+  const double across = std::abs(way.x * axis.y - way.y * axis.x);
+  return 1 - std::atan2(across, along) / (std::numbers::pi / 2);
+}
+
 } // namespace
 
 double distance(const GroundPoint& a, const GroundPoint& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+double angle_fit(SpatialRelation direction, const GroundPoint& point, const GroundPoint& landmark,
+                 const GroundPoint& viewer) {
+  if (point == landmark)
+    return 0;
+  return fit_along(axis_of(direction, landmark, viewer),
+                   {point.x - landmark.x, point.y - landmark.y});
 }
 
 PotentialFields::PotentialFields(std::span<const GroundPoint> objects, GroundPoint viewer,
@@ -97,15 +116,8 @@ bool PotentialFields::within_radius(const Cell& a, const Cell& b) const {
 }
 
 double PotentialFields::angular(const Field& field, const Cell& cell) const {
-  const double x = cell.x - field.landmark->cell.x;
-  const double y = cell.y - field.landmark->cell.y;
-  if (x == 0 && y == 0)
-    return 1;
-  const double along = x * field.axis.x + y * field.axis.y;
-  if (along <= 0)
-    return 0;
-  const double across = std::abs(x * field.axis.y - y * field.axis.x);
-  return 1 - std::atan2(across, along) / (std::numbers::pi / 2);
+  return fit_along(field.axis, {static_cast<double>(cell.x - field.landmark->cell.x),
+                                static_cast<double>(cell.y - field.landmark->cell.y)});
 }
 
 double PotentialFields::raw_value(const Field& field, const Cell& cell) const {
@@ -152,15 +164,6 @@ double PotentialFields::value(SpatialRelation relation, std::size_t target,
   const Field around = field(relation, landmark, target);
   const double raw = raw_value(around, object.cell);
   return raw > rounding ? raw / maximum(around) : 0;
-}
-
-double PotentialFields::angle_fit(SpatialRelation direction, const GroundPoint& point,
-                                  std::size_t landmark) const {
-  const Field around = field(direction, landmark, std::nullopt);
-  const Object at = place(point);
-  if (!at.on_map || !around.landmark->on_map || at.cell == around.landmark->cell)
-    return 0;
-  return angular(around, at.cell);
 }
 
 std::vector<TargetPosition> PotentialFields::positions(SpatialRelation relation,

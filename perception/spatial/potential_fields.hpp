@@ -25,6 +25,11 @@ struct FieldOptions {
 /// Metres.
 double distance(const GroundPoint& a, const GroundPoint& b);
 
+/// How well a point is in the direction of a landmark that the word names, whatever the distance: 1
+/// straight in that direction, 0.5 at half a right angle, 0 at a right angle, and at the landmark.
+double angle_fit(SpatialRelation direction, const GroundPoint& point, const GroundPoint& landmark,
+                 const GroundPoint& viewer);
+
 /// Minimum value for which a relation holds.
 struct RelationThresholds {
   double projective = 0.8;
@@ -59,10 +64,6 @@ public:
   /// How well "target is `relation` of landmark" fits, in [0, 1]. Both are indices of objects; 0 if
   /// they are the same.
   double value(SpatialRelation relation, std::size_t target, std::size_t landmark) const;
-
-  /// How well a point is in the direction of a landmark that the word names, whatever the distance:
-  /// 1 straight in that direction, 0.5 at half a right angle, 0 at a right angle.
-  double angle_fit(SpatialRelation direction, const GroundPoint& point, std::size_t landmark) const;
 
   /// Positions that are `relation` of the landmark: up to `count`, the best first, apart from each
   /// other and from all objects. Fewer if there are no more.

@@ -18,10 +18,15 @@ constexpr double away_distance = 0.20;
 /// Of places that may not be possible: worse than all others.
 constexpr double last = 4;
 
-std::vector<GroundPoint> centres(std::span<const TableObject> objects) {
-  std::vector<GroundPoint> result;
-  for (const auto& x : objects)
-    result.push_back(x.centre);
+/// From one to the other, both included, no further apart than the step; none if there is no room.
+std::vector<double> positions_between(double from, double to, double step) {
+  constexpr double slack = 1e-9;
+  if (to < from - slack)
+    return {};
+  const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / step - slack)));
+  std::vector<double> result;
+  for (int i = 0; i <= steps; ++i)
+    result.push_back(from + (to - from) * i / steps);
   return result;
 }
 
@@ -36,7 +41,7 @@ std::optional<SpatialRelation> direction(const std::string& word) {
 
 TablePlaces::TablePlaces(std::span<const TableObject> objects, GroundPoint viewer,
                          PlacingOptions options)
-  : objects_(objects.begin(), objects.end()), options_(options), fields_(centres(objects), viewer) {
+  : objects_(objects.begin(), objects.end()), options_(options), viewer_(viewer) {
   // nop
 }
 
@@ -89,7 +94,7 @@ double TablePlaces::fit_to_landmark(const PlaceWanted& place, std::size_t object
       fit = distance(centre, x.centre) < x.radius ? 1 : 0;
     else if (const auto way = direction(place.relation))
       // Half a right angle to each side.
-      fit = (2 * fields_.angle_fit(*way, centre, landmark) - 1) *
+      fit = (2 * angle_fit(*way, centre, x.centre, viewer_) - 1) *
             std::max(1 - distance(centre, x.centre), 0.1);
     else
       throw std::invalid_argument("there is no place '" + place.relation + "' of something");
@@ -176,15 +181,12 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
   bool is_reached = false;
   bool is_free_somewhere = false;
   const auto& area = options_.area;
-  const auto cells = [this](double low, double high, double radius) {
-    return static_cast<int>(std::floor((high - low - 2 * radius) / options_.step + 1e-9));
-  };
-  const int columns = cells(area.low.x, area.high.x, x.radius);
-  const int rows = cells(area.low.y, area.high.y, x.radius);
-  for (int column = 0; column <= columns; ++column)
-    for (int row = 0; row <= rows; ++row) {
-      const GroundPoint centre{area.low.x + x.radius + column * options_.step,
-                               area.low.y + x.radius + row * options_.step};
+  const auto columns =
+    positions_between(area.low.x + x.radius, area.high.x - x.radius, options_.step);
+  const auto rows = positions_between(area.low.y + x.radius, area.high.y - x.radius, options_.step);
+  for (const double column : columns)
+    for (const double row : rows) {
+      const GroundPoint centre{column, row};
       const double fit = worst_fit(places, object, centre);
       if (fit <= 0)
         continue;

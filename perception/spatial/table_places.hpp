@@ -41,7 +41,7 @@ struct PlacingOptions {
   double least_clearance = 0.02;
   /// More than that is better, up to here: room for a hand, metres.
   double ample_clearance = 0.06;
-  /// Step between the positions that are looked at, metres.
+  /// Between the positions that are looked at, at most, metres.
   double step = 0.01;
   /// Gap up to which something is near a landmark, metres.
   double near_gap = 0.10;
@@ -103,7 +103,7 @@ private:
 
   std::vector<TableObject> objects_;
   PlacingOptions options_;
-  PotentialFields fields_;
+  GroundPoint viewer_;
 };
 
 } // namespace castor::spatial

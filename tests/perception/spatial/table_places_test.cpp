@@ -117,6 +117,17 @@ TEST(TablePlaces, AllThatIsWantedHolds) {
   EXPECT_EQ(table.find(red_ball, both_edges).reason, "there is no such place on the table");
 }
 
+/// Behind what stands there is only a strip, on either side of the table.
+TEST(TablePlaces, NarrowStripAtTheEdge) {
+  for (const double side : {-1.0, 1.0}) {
+    const std::vector<TableObject> objects{{{side * 0.245, -0.17}, 0.028}, {{0, -0.1}, 0.028}};
+    const TablePlaces table{objects, {0, -0.34}};
+    const auto at = place_of(table, 1, {"back", {0}});
+    EXPECT_NEAR(side * at.x, 0.272, 1e-9);
+    EXPECT_GT(at.y, -0.11);
+  }
+}
+
 /// Whatever is found is on the table, fits, and is free.
 TEST(TablePlaces, RandomTables) {
   std::mt19937 random{7};
