@@ -33,17 +33,47 @@ std::optional<Vector3d> meet(const EigenRay& ray, const Vector3d& point, const V
   return ray.intersectionPoint(Eigen::Hyperplane<double, 3>(normal, point));
 }
 
+/// The direction in the picture in which what is on the table is further away from the camera
+/// there, of length 1; upwards where the camera looks straight down.
+Eigen::Vector2d away_in_picture(const Camera& camera, std::span<const Point2> contour) {
+  const Eigen::Vector2d upwards(0, -1);
+  Eigen::Vector2d middle(0, 0);
+  for (const auto& pixel : contour)
+    middle += Eigen::Vector2d(pixel.x, pixel.y) / static_cast<double>(contour.size());
+  const auto ground = back_project(camera, {middle.x(), middle.y()});
+  if (!ground)
+    return upwards;
+  const Eigen::Vector2d away(ground->x - camera.pose.position.x,
+                             ground->y - camera.pose.position.y);
+  if (away.norm() <= 0)
+    return upwards;
+  constexpr double step = 0.01; // metres
+  const Eigen::Vector2d further = step * away.normalized();
+  const auto pixel = project(camera, {ground->x + further.x(), ground->y + further.y(), 0});
+  if (!pixel)
+    return upwards;
+  const Eigen::Vector2d way(pixel->x - middle.x(), pixel->y - middle.y());
+  return way.norm() > 0 ? Eigen::Vector2d(way.normalized()) : upwards;
+}
+
 std::optional<AlignedBox> solid_extent(const Camera& camera, std::span<const Point2> contour) {
-  const auto by_x = [](const Point2& a, const Point2& b) { return a.x < b.x; };
-  const auto by_y = [](const Point2& a, const Point2& b) { return a.y < b.y; };
-  const auto [left, right] = std::minmax_element(contour.begin(), contour.end(), by_x);
-  const auto [top, bottom] = std::minmax_element(contour.begin(), contour.end(), by_y);
-  const double middle = (left->x + right->x) / 2;
+  // As if the picture were turned such that the solid's far side is up.
+  const auto up = away_in_picture(camera, contour);
+  const Eigen::Vector2d right(-up.y(), up.x());
+  const auto height_of = [&](const Point2& x) { return up.x() * x.x + up.y() * x.y; };
+  const auto column_of = [&](const Point2& x) { return right.x() * x.x + right.y() * x.y; };
+  const auto pixel = [&](double column, double height) {
+    const Eigen::Vector2d result = column * right + height * up;
+    return Point2{result.x(), result.y()};
+  };
+  const auto [first, last] = std::ranges::minmax_element(contour, {}, column_of);
+  const auto [bottom, top] = std::ranges::minmax(contour, {}, height_of);
+  const double middle = (column_of(*first) + column_of(*last)) / 2;
   // Contours run through pixel centres; the region reaches half a pixel further.
-  const auto foot = back_project(camera, {middle, bottom->y + 0.5});
-  const auto top_ray = viewing_ray(camera, {middle, top->y - 0.5});
-  const auto left_ray = viewing_ray(camera, {left->x - 0.5, left->y});
-  const auto right_ray = viewing_ray(camera, {right->x + 0.5, right->y});
+  const auto foot = back_project(camera, pixel(middle, height_of(bottom) - 0.5));
+  const auto top_ray = viewing_ray(camera, pixel(middle, height_of(top) + 0.5));
+  const auto left_ray = viewing_ray(camera, pixel(column_of(*first) - 0.5, height_of(*first)));
+  const auto right_ray = viewing_ray(camera, pixel(column_of(*last) + 0.5, height_of(*last)));
   if (!foot || !top_ray || !left_ray || !right_ray)
     return std::nullopt;
   const Vector3d away(foot->x - camera.pose.position.x, foot->y - camera.pose.position.y, 0);

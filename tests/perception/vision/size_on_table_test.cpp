@@ -15,13 +15,14 @@ namespace {
 const Camera table_camera = look_at({0, -0.8, 0.6}, {0, 0, 0}, 40, 640, 480);
 
 /// Where the corners of an upright cylinder are seen.
-std::vector<Point2> cylinder_seen(double x, double y, double radius, double height) {
+std::vector<Point2> cylinder_seen(double x, double y, double radius, double height,
+                                  const Camera& camera = table_camera) {
   std::vector<Point2> pixels;
   for (int i = 0; i < 48; ++i) {
     const double angle = 2 * std::numbers::pi * i / 48;
     for (const double z : {0.0, height}) {
       const auto pixel =
-        project(table_camera, {x + radius * std::cos(angle), y + radius * std::sin(angle), z});
+        project(camera, {x + radius * std::cos(angle), y + radius * std::sin(angle), z});
       if (pixel)
         pixels.push_back(*pixel);
     }
@@ -51,6 +52,19 @@ TEST(SizeOnTable, measures_a_solid_wherever_it_stands) {
       EXPECT_NEAR(box->centroid.z, box->size.z / 2, 1e-9);
     }
   }
+}
+
+/// From above, what stands at the side is seen leaning sidewards.
+TEST(SizeOnTable, MeasuresWhatStandsAtTheSideOfASteepCamera) {
+  const Camera steep = look_at({0, -0.34, 0.92}, {0, 0.02, 0}, 38, 640, 480);
+  for (const double x : {-0.27, -0.15, 0.0, 0.15, 0.27})
+    for (const double y : {-0.2, -0.1, 0.0, 0.1}) {
+      const auto box = extent_on_table(steep, cylinder_seen(x, y, 0.027, 0.06, steep), false);
+      ASSERT_TRUE(box);
+      EXPECT_NEAR(box->centroid.x, x, 0.005) << x << ' ' << y;
+      EXPECT_NEAR(box->centroid.y, y, 0.005) << x << ' ' << y;
+      EXPECT_NEAR(box->size.x, 0.054, 0.005) << x << ' ' << y;
+    }
 }
 
 TEST(SizeOnTable, has_no_extent_above_the_horizon) {
