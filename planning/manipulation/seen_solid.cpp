@@ -27,6 +27,10 @@ constexpr double flat_height = 0.005; // metres
 constexpr double least_length = 0.004;
 constexpr double most_length = 0.6;
 constexpr int most_rounds = 40;
+/// Regions that are so near to each other may be of things before each other, pixels.
+constexpr double touching = 3;
+/// How much it counts if a solid goes on where it may be hidden.
+constexpr double hidden_share = 0.1;
 
 /// What is fitted: x, y, then what the kind of outline has.
 enum class Model { ball, cylinder, cube, block, disc, plate };
@@ -116,24 +120,43 @@ std::vector<Point3> outline_points(const SeenSolid& x, const Point3& eye) {
   return result;
 }
 
+/// How far a point reaches in one of the directions.
+double reach_of(const Point2& point, int direction) {
+  const double angle = 2 * pi * direction / outline_directions;
+  return point.x * std::cos(angle) + point.y * std::sin(angle);
+}
+
 /// How far the points reach in each direction.
 VectorXd supports(const std::vector<Point2>& points) {
   VectorXd result(outline_directions);
   for (int i = 0; i < outline_directions; ++i) {
-    const double x = std::cos(2 * pi * i / outline_directions);
-    const double y = std::sin(2 * pi * i / outline_directions);
     double most = -1e12;
     for (const auto& point : points)
-      most = std::max(most, point.x * x + point.y * y);
+      most = std::max(most, reach_of(point, i));
     result[i] = most;
+  }
+  return result;
+}
+
+/// Whether the outline ends at another region in each direction.
+std::vector<bool> ends_at_others(const std::vector<Point2>& contour,
+                                 const std::vector<std::vector<Point2>>& others) {
+  std::vector<bool> result;
+  for (int i = 0; i < outline_directions; ++i) {
+    const auto end = std::ranges::max(contour, {}, [i](const Point2& x) { return reach_of(x, i); });
+    result.push_back(std::ranges::any_of(others, [&](const auto& other) {
+      return std::ranges::any_of(
+        other, [&](const Point2& x) { return std::hypot(x.x - end.x, x.y - end.y) <= touching; });
+    }));
   }
   return result;
 }
 
 class Fit {
 public:
-  Fit(Model model, const std::vector<Point2>& contour, const geometry::Camera& camera)
-    : model_(model), camera_(camera),
+  Fit(Model model, const std::vector<Point2>& contour, const geometry::Camera& camera,
+      const std::vector<std::vector<Point2>>& others)
+    : model_(model), camera_(camera), may_go_on_(ends_at_others(contour, others)),
       // The region reaches half a pixel further than the centres of its pixels.
       wanted_(supports(contour).array() + 0.5) {
     // nop
@@ -194,11 +217,16 @@ private:
         return {};
       pixels.push_back(*pixel);
     }
-    return supports(pixels) - wanted_;
+    VectorXd result = supports(pixels) - wanted_;
+    for (int i = 0; i < outline_directions; ++i)
+      if (may_go_on_[static_cast<std::size_t>(i)] && result[i] > 0)
+        result[i] *= hidden_share;
+    return result;
   }
 
   Model model_;
   const geometry::Camera& camera_;
+  std::vector<bool> may_go_on_;
   VectorXd wanted_;
 };
 
@@ -239,7 +267,8 @@ std::vector<VectorXd> guesses(Model model, const Point2& middle, double width) {
 } // namespace
 
 std::optional<SeenSolid> seen_solid(const std::string& shape, const std::vector<Point2>& contour,
-                                    const geometry::Camera& camera) {
+                                    const geometry::Camera& camera,
+                                    const std::vector<std::vector<Point2>>& others) {
   if (contour.size() < 3)
     return {};
   const auto [left, right] = std::ranges::minmax(contour, {}, &Point2::x);
@@ -251,7 +280,7 @@ std::optional<SeenSolid> seen_solid(const std::string& shape, const std::vector<
     return {};
   const Point2 middle{(from->x + to->x) / 2, (from->y + to->y) / 2};
   const auto model = model_of(shape);
-  const Fit fit(model, contour, camera);
+  const Fit fit(model, contour, camera, others);
   std::optional<SeenSolid> best;
   for (const auto& guess : guesses(model, middle, geometry::distance(*from, *to)))
     if (auto found = fit.run(guess); found && (!best || found->error < best->error))

@@ -23,10 +23,13 @@ struct SeenSolid {
 /// outline's convex hull. Nothing if its foot is not on the visible table.
 /// @param shape "cube", "box", "cylinder", "sphere", or a flat piece: "square", "rectangle",
 /// "circle", "disc", "triangle", which is a few millimetres thick and counts as what is round or
-/// rectangular around it. Others count as boxes.
+/// rectangular around it. Others count as boxes. Where other regions begin at the outline, the
+/// solid may go on behind them.
 /// @param contour image coordinates, through the centres of the outermost pixels
+/// @param others contours of the other regions, with all their points
 std::optional<SeenSolid> seen_solid(const std::string& shape,
                                     const std::vector<geometry::Point2>& contour,
-                                    const geometry::Camera& camera);
+                                    const geometry::Camera& camera,
+                                    const std::vector<std::vector<geometry::Point2>>& others = {});
 
 } // namespace castor::manipulation

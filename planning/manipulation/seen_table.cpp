@@ -50,10 +50,14 @@ std::optional<SeenSolid> solid_of(const vision::SceneObject& x, const SeenEntrie
     if (region == entries.regions.end() || !entries.camera || entries.camera->is_assumed)
       continue;
     const auto& contour = region->second.contour;
-    auto fitted = seen_solid(x.shape.value, contour, *entries.camera);
+    std::vector<std::vector<geometry::Point2>> others;
+    for (const auto& [other, seen] : entries.regions)
+      if (std::ranges::find(x.roi_ids, other) == x.roi_ids.end())
+        others.push_back(seen.contour);
+    auto fitted = seen_solid(x.shape.value, contour, *entries.camera, others);
     if (!fitted || fitted->error > good_fit)
       for (const char* shape : {"cylinder", "box"})
-        if (auto other = seen_solid(shape, contour, *entries.camera);
+        if (auto other = seen_solid(shape, contour, *entries.camera, others);
             other && is_plausible(x.shape.value, other->solid) &&
             (!fitted || other->error < fitted->error))
           fitted = std::move(other);

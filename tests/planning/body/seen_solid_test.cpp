@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -113,6 +115,30 @@ TEST(SeenSolid, WhatIsNoFlatPieceIsNotSeenAsASlice) {
     const bool is_flat = things.front().thing.solid.size.z < 0.01;
     EXPECT_EQ(is_flat, shape == std::string("rectangle")) << shape;
   }
+}
+
+/// What lies behind another thing, seen from the camera, goes on behind it.
+TEST(SeenSolid, WhatIsPartlyHiddenIsWhereItIs) {
+  const auto scene = vision::parse_tabletop_scene("camera 0 -0.34 0.92 looking-at 0 0.02 0 fov 38\n"
+                                                  "green cylinder at 0.1 0.04 size 0.05 0.09\n"
+                                                  "red cube at 0.11 0.093 size 0.045 turned 20\n",
+                                                  "test")
+                       .scene;
+  const auto picture = vision::render(scene.at(vision::SceneTime{0}), scene.camera);
+  const auto segments = vision::segment_table(picture, &scene.camera, {}, {});
+  ASSERT_EQ(segments.size(), 2U);
+  const auto height = [](const auto& x) {
+    return std::ranges::min(x.contour, {}, &geometry::Point2::y).y;
+  };
+  const std::size_t further = height(segments[0]) < height(segments[1]) ? 0 : 1;
+  const auto& cube = segments[further];
+  const auto& cylinder = segments[1 - further];
+  const auto off = [&](const std::vector<std::vector<geometry::Point2>>& others) {
+    const auto x = seen_solid("cube", cube.contour, scene.camera, others);
+    return x ? std::hypot(x->pose.position.x - 0.11, x->pose.position.y - 0.093) : 1;
+  };
+  EXPECT_LT(off({cylinder.contour}), 0.004);
+  EXPECT_LT(off({cylinder.contour}), off({}) / 2);
 }
 
 TEST(SeenSolid, WhatDoesNotFitHasALargeError) {
