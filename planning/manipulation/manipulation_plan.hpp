@@ -37,7 +37,10 @@ struct ManipulationPlan {
   std::optional<NamedSolid> held;
 
   /// Joints in the end.
-  Configuration end() const;
+  Configuration end() const {
+    const auto& last = stages.back().trajectory;
+    return last.at(last.duration()).positions;
+  }
 };
 
 /// Either a plan or why there is none.

@@ -33,11 +33,6 @@ geometry::Rotation upright(const Point3& direction) {
 
 } // namespace
 
-Configuration ManipulationPlan::end() const {
-  const auto& last = stages.back().trajectory;
-  return last.at(last.duration()).positions;
-}
-
 /// A grasp, and what follows from it.
 struct ManipulationPlanner::Hold {
   std::string thing;
@@ -341,18 +336,27 @@ ManipulationResult ManipulationPlanner::place(const Scene& scene, const PlaceGoa
   return plan;
 }
 
-std::optional<Pose> ManipulationPlanner::landing_of(const Scene& scene, const std::string& thing,
-                                                    const PlaceGoal& goal,
-                                                    const Configuration& start) const {
+ManipulationPlanner::WaysToTake
+ManipulationPlanner::ways_to_take(const Scene& scene, const std::string& thing,
+                                  const Configuration& start) const {
   const auto found = find_grasps(arm_, inverse_, scene, thing, start, options_.grasps);
-  std::vector<Contact> contacts;
+  auto holds = std::make_shared<std::vector<Hold>>();
   if (const auto* grasps = std::get_if<std::vector<Grasp>>(&found))
     for (const auto& grasp : *grasps)
-      if (const auto held = hold(scene, thing, grasp))
-        if (const auto ways =
-              landings(held->scene, held->tool, goal, held->lift.back(), held->opening, contacts);
-            !ways.empty())
-          return ways.front().goal;
+      if (auto held = hold(scene, thing, grasp))
+        holds->push_back(*std::move(held));
+  WaysToTake result;
+  result.holds_ = std::move(holds);
+  return result;
+}
+
+std::optional<Pose> ManipulationPlanner::landing_of(const WaysToTake& ways,
+                                                    const PlaceGoal& goal) const {
+  std::vector<Contact> contacts;
+  for (const auto& x : *ways.holds_)
+    if (const auto found = landings(x.scene, x.tool, goal, x.lift.back(), x.opening, contacts);
+        !found.empty())
+      return found.front().goal;
   return {};
 }
 

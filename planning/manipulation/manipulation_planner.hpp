@@ -5,6 +5,7 @@
 #include "castor/planning/manipulation/manipulation_plan.hpp"
 #include "castor/planning/manipulation/motion_planner.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,15 @@ struct PlaceGoal {
 /// Plans what an arm does with the things of a scene. Callers in several threads wait for each
 /// other.
 class ManipulationPlanner {
+  struct Hold;
+
 public:
+  /// Ways to take a thing of a scene.
+  class WaysToTake {
+    friend class ManipulationPlanner;
+    std::shared_ptr<const std::vector<Hold>> holds_;
+  };
+
   explicit ManipulationPlanner(const ArmModel& arm, const ManipulationOptions& options = {});
 
   /// Grasps a thing and lifts it.
@@ -58,10 +67,13 @@ public:
   ManipulationResult pick_and_place(const Scene& scene, const std::string& thing,
                                     const PlaceGoal& goal, const Configuration& start) const;
 
-  /// Where the thing would come to be, if there is a way to take it and a way to put it down there;
-  /// motions between them are not planned.
-  std::optional<Pose> landing_of(const Scene& scene, const std::string& thing,
-                                 const PlaceGoal& goal, const Configuration& start) const;
+  /// All of them; motions to them are not planned.
+  WaysToTake ways_to_take(const Scene& scene, const std::string& thing,
+                          const Configuration& start) const;
+
+  /// Where the thing would come to be, if there is a way to put it down there when it is taken in
+  /// one of these ways; motions between them are not planned.
+  std::optional<Pose> landing_of(const WaysToTake& ways, const PlaceGoal& goal) const;
 
   /// Pushes a thing on the table with closed fingers, by at least that distance, in a direction in
   /// which nothing is in its way, and withdraws.
@@ -78,7 +90,6 @@ public:
   const ArmModel& arm() const { return arm_; }
 
 private:
-  struct Hold;
   struct Landing;
   struct WayOff;
 

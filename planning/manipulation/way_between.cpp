@@ -29,42 +29,56 @@ public:
   }
 
   std::optional<ManipulationPlan> run(const std::vector<Point3>& places) const {
+    const auto here = planner_.ways_to_take(scene_, thing_, start_);
+    std::vector<Stop> unturned;
     for (const double turn : turns_)
-      for (const auto& place : places)
-        if (auto plan = plan_to(between(place, turn), [&](const Pose& there) {
-              return landing(there, goal_).has_value();
-            }))
-          return plan;
+      for (const auto& place : places) {
+        auto stop = stop_at(here, between(place, turn));
+        if (!stop)
+          continue;
+        if (planner_.landing_of(stop->ways, goal_))
+          if (auto plan = plan_to(stop->place))
+            return plan;
+        if (turn == 0)
+          unturned.push_back(*std::move(stop));
+      }
     // To where it can be turned.
-    for (const auto& place : places)
-      if (auto plan = plan_to(between(place, 0), [&](const Pose& there) {
-            return std::ranges::any_of(turns_, [&](double turn) {
-              const auto turned = turn == 0 ? std::nullopt : landing(there, between(place, turn));
-              return turned && landing(*turned, goal_);
-            });
-          }))
-        return plan;
+    for (const auto& stop : unturned)
+      if (std::ranges::any_of(turns_, [&](double turn) { return goes_on_turned(stop, turn); }))
+        if (auto plan = plan_to(stop.place))
+          return plan;
     return {};
   }
 
 private:
+  /// A place where the thing can be put down, and the ways to take it there.
+  struct Stop {
+    PlaceGoal place;
+    ManipulationPlanner::WaysToTake ways;
+  };
+
   static PlaceGoal between(const Point3& place, double turn) {
     return {place, 0, "the table", "a place between", turn};
   }
 
-  /// From where the thing would be.
-  std::optional<Pose> landing(const Pose& from, const PlaceGoal& goal) const {
+  std::optional<Stop> stop_at(const ManipulationPlanner::WaysToTake& ways,
+                              const PlaceGoal& place) const {
+    const auto there = planner_.landing_of(ways, place);
+    if (!there)
+      return {};
     auto scene = scene_;
-    std::ranges::find(scene.things, thing_, &NamedSolid::name)->pose = from;
-    return planner_.landing_of(scene, thing_, goal, start_);
+    std::ranges::find(scene.things, thing_, &NamedSolid::name)->pose = *there;
+    return Stop{place, planner_.ways_to_take(scene, thing_, start_)};
   }
 
-  /// If it can go on from there.
-  template <class F>
-  std::optional<ManipulationPlan> plan_to(const PlaceGoal& place, F goes_on) const {
-    const auto there = planner_.landing_of(scene_, thing_, place, start_);
-    if (!there || !goes_on(*there))
-      return {};
+  bool goes_on_turned(const Stop& stop, double turn) const {
+    if (turn == 0)
+      return false;
+    const auto turned = stop_at(stop.ways, between(stop.place.bottom, turn));
+    return turned && planner_.landing_of(turned->ways, goal_);
+  }
+
+  std::optional<ManipulationPlan> plan_to(const PlaceGoal& place) const {
     auto plan = planner_.pick_and_place(scene_, thing_, place, start_);
     if (auto* found = std::get_if<ManipulationPlan>(&plan))
       return std::move(*found);
