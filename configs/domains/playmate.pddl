@@ -20,6 +20,8 @@
     (near ?a ?b - thing) (away-from ?a ?b - thing) (between ?a ?b ?c - thing) (on ?a ?b - thing)
     (in-part ?a - thing ?p - part)
     (held ?t - thing) (pushed ?t - thing) (loaded ?t - thing)
+    ; The arm has found out that the first has to be moved before the second.
+    (in-way ?a ?b - thing) (hampered ?t - thing)
     (taken ?w - waypoint)
     ; It has been chosen in some way, or something was at it.
     (chosen ?w - waypoint) (used ?w - waypoint)
@@ -47,6 +49,7 @@
     (exists (?w - waypoint) (and (= (pos ?a) ?w) (wp-between ?w ?b ?c))))
   (:derived (on ?a ?b - thing) (exists (?w - waypoint) (and (= (pos ?a) ?w) (wp-on ?w ?b))))
   (:derived (loaded ?b - thing) (exists (?a - thing) (on ?a ?b)))
+  (:derived (hampered ?b - thing) (exists (?a - thing) (in-way ?a ?b)))
   (:derived (in-part ?a - thing ?p - part)
     (exists (?w - waypoint) (and (= (pos ?a) ?w) (wp-in ?w ?p))))
 
@@ -54,7 +57,7 @@
   ; away is not there any more.
   (:action move
     :agent (?a - agent) :parameters (?t - thing ?to - waypoint)
-    :precondition (and (K ?a (pos ?t)) (not (taken ?to)) (not (loaded ?t))
+    :precondition (and (K ?a (pos ?t)) (not (taken ?to)) (not (loaded ?t)) (not (hampered ?t))
                        (not (= ?to hand)) (or (chosen ?to) (and (used ?to) (not (unwanted ?to))))
                        (or (= (pos ?t) hand) (not (taken hand))))
     :effect (and (forall (?w - waypoint)
@@ -63,16 +66,18 @@
                         (not (wp-back-of ?w ?t)) (not (wp-near ?w ?t)) (not (wp-away-from ?w ?t))
                         (forall (?o - thing)
                           (and (not (wp-between ?w ?t ?o)) (not (wp-between ?w ?o ?t))))))
+                 (forall (?o - thing) (not (in-way ?t ?o)))
                  (assign (pos ?t) ?to)))
   (:action take
     :agent (?a - agent) :parameters (?t - thing)
-    :precondition (and (K ?a (pos ?t)) (not (taken hand)) (not (loaded ?t)))
+    :precondition (and (K ?a (pos ?t)) (not (taken hand)) (not (loaded ?t)) (not (hampered ?t)))
     :effect (and (forall (?w - waypoint)
                    (and (when (= (pos ?t) ?w) (used ?w))
                         (not (wp-left-of ?w ?t)) (not (wp-right-of ?w ?t)) (not (wp-front-of ?w ?t))
                         (not (wp-back-of ?w ?t)) (not (wp-near ?w ?t)) (not (wp-away-from ?w ?t))
                         (forall (?o - thing)
                           (and (not (wp-between ?w ?t ?o)) (not (wp-between ?w ?o ?t))))))
+                 (forall (?o - thing) (not (in-way ?t ?o)))
                  (assign (pos ?t) hand)))
   (:action push
     :agent (?a - agent) :parameters (?t - thing)

@@ -121,6 +121,8 @@ struct Manipulation {
   std::string reason;
   /// Things that are in the way, by their descriptions; without them it would be possible.
   std::vector<std::string> in_way;
+  /// Ids of their SceneObjects, in the same order.
+  std::vector<std::string> in_way_ids;
   /// Names of the arm's joints that do not move any more.
   std::vector<std::string> still_joints;
   /// Numbers of this action: motions planned, grasps that were tried, and time spent on planning.
@@ -158,7 +160,7 @@ CASTOR_REFLECT(ResumeArm)
 CASTOR_REFLECT_ENUM(ManipulationStatus, idle, looking, planning, moving, grasping, releasing,
                     pushing, paused, confirming, succeeded, failed, cancelled)
 CASTOR_REFLECT(Manipulation, time, status, task, step, what, seen, holds, held, reason, in_way,
-               still_joints, plans, tries, planning_time)
+               in_way_ids, still_joints, plans, tries, planning_time)
 CASTOR_REFLECT_ENUM(SolidKind, box, cylinder, capsule, sphere)
 CASTOR_REFLECT(Solid, kind, size)
 CASTOR_REFLECT(HeldThing, what, name, colour, shape, solid, pose, uncertainty, let_go)

@@ -56,7 +56,7 @@ Explanation explanation_of(const std::vector<Refusal>& refusals) {
     for (const auto& x : refusals)
       if (is_in_way(x, most_in_way) && (best == nullptr || x.in_way.size() < best->in_way.size()))
         best = &x;
-    return {best->reason, "Take " + listed(best->in_way) + " away first."};
+    return {best->reason, "Take " + listed(best->in_way) + " away first.", best->in_way_ids};
   }
   const Refusal* best = nullptr;
   most = 0;

@@ -13,6 +13,8 @@ struct Refusal {
   std::string reason;
   /// Names of things that are in the way.
   std::vector<std::string> in_way = {};
+  /// Ids of their SceneObjects, in the same order; empty if they are not known.
+  std::vector<std::string> in_way_ids = {};
 };
 
 /// Why it could not be done at all, and what would help.
@@ -21,6 +23,8 @@ struct Explanation {
   std::string reason;
   /// A sentence: "Take the box away first."; empty if nothing is known that would.
   std::string help;
+  /// Ids of the things that help if they are taken away.
+  std::vector<std::string> in_way_ids = {};
 
   friend bool operator==(const Explanation&, const Explanation&) = default;
 };

@@ -1,6 +1,7 @@
 #include "castor/planning/tabletop/table_memory.hpp"
 
 #include "castor/planning/continual/object_name.hpp"
+#include "castor/planning/tabletop/goal_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -46,17 +47,6 @@ std::string quality(const ThingOnTable& x, std::string_view kind) {
 
 bool look_alike(const ThingOnTable& a, const ThingOnTable& b) {
   return quality(a, "colour") == quality(b, "colour") && quality(a, "shape") == quality(b, "shape");
-}
-
-bool contains_word(std::string_view text, std::string_view word) {
-  constexpr std::string_view ends = " ()";
-  for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-    const auto end = at + word.size();
-    if ((at == 0 || ends.find(text[at - 1]) != std::string_view::npos) &&
-        (end == text.size() || ends.find(text[end]) != std::string_view::npos))
-      return true;
-  }
-  return false;
 }
 
 /// Of "(wp-in place-4 elsewhere)".
@@ -193,6 +183,7 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
 AchieveGoal TableMemory::begin(const TableGoal& goal) {
   chosen_.clear();
   done_.clear();
+  in_way_.clear();
   is_unmoved_ = true;
   AchieveGoal result{goal.formula};
   for (const auto& x : goal.spots) {
@@ -293,6 +284,11 @@ StateReply TableMemory::state(std::string_view goal,
       if (!place.landmarks.empty() || contains_word(goal, place.relation))
         tell_place(waypoint, place, result);
   }
+  const auto is_movable = [&](const std::string& name) {
+    return thing(name) != nullptr && contains_word(goal, name);
+  };
+  for (auto& x : in_way_.facts(is_movable))
+    result.facts.push_back(std::move(x));
   const auto unasked = unasked_relations(goal);
   result.facts.insert(result.facts.end(), unasked.begin(), unasked.end());
   for (const auto& x : done_)
@@ -335,6 +331,7 @@ void TableMemory::moved(const std::string& name, const std::string& waypoint, co
   const auto wanted = chosen(waypoint);
   chosen_.erase(waypoint);
   leave(*x);
+  in_way_.moved(name);
   x->waypoint = waypoint;
   x->is_held = false;
   x->seen.place = place;
@@ -351,6 +348,7 @@ void TableMemory::moved(const std::string& name, const std::string& waypoint, co
 void TableMemory::taken(const std::string& name) {
   if (auto* x = find(name)) {
     leave(*x);
+    in_way_.moved(name);
     x->is_held = true;
   }
 }
@@ -371,21 +369,15 @@ void TableMemory::pushed(const std::string& name) {
   done_.insert("(pushed " + name + ')');
 }
 
-std::vector<std::string> parts_in(std::string_view goal) {
-  constexpr std::string_view head = "(in-part ";
-  std::set<std::string> result;
-  for (auto at = goal.find(head); at != std::string_view::npos; at = goal.find(head, at + 1)) {
-    const auto begin = goal.find(' ', at + head.size());
-    const auto end = goal.find(')', at);
-    if (begin == std::string_view::npos || end == std::string_view::npos || begin > end)
-      continue;
-    auto part = std::string{goal.substr(begin + 1, end - begin - 1)};
-    // That it was given to somebody, too, is known by what was done.
-    if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand" &&
-        !part.starts_with("further-") && !part.starts_with("slightly-"))
-      result.insert(std::move(part));
+void TableMemory::refused(const std::string& name, const std::vector<std::string>& in_way) {
+  std::vector<std::string> others;
+  for (const auto& id : in_way) {
+    const auto* x = with_id(id);
+    if (x == nullptr)
+      return;
+    others.push_back(x->name);
   }
-  return {result.begin(), result.end()};
+  in_way_.refused(name, std::move(others));
 }
 
 } // namespace castor::planning

@@ -3,6 +3,7 @@
 #include "castor/perception/spatial/types.hpp"
 #include "castor/planning/continual/types.hpp"
 #include "castor/planning/motivation/table_goals.hpp"
+#include "castor/planning/tabletop/things_in_way.hpp"
 #include "castor/planning/tabletop/types.hpp"
 
 #include <cstddef>
@@ -110,6 +111,10 @@ public:
   /// Nothing is held any more, wherever it is.
   void released();
   void pushed(const std::string& name);
+  /// It cannot be moved because of those things. Where all of them are things that a goal is about,
+  /// they are moved before.
+  /// @param in_way ids of their SceneObjects; what is not known here does not count
+  void refused(const std::string& name, const std::vector<std::string>& in_way);
 
 private:
   Thing* find(std::string_view name);
@@ -129,12 +134,10 @@ private:
   std::map<std::string, std::vector<spatial::WantedPlace>> chosen_;
   /// Facts of the goal that nobody sees.
   std::set<std::string> done_;
+  ThingsInWay in_way_;
   /// Nothing has been moved for the goal yet.
   bool is_unmoved_ = true;
   std::size_t next_waypoint_ = 1;
 };
-
-/// Parts of the table that a goal speaks of and that things can be seen in.
-std::vector<std::string> parts_in(std::string_view goal);
 
 } // namespace castor::planning

@@ -5,6 +5,7 @@
 #include "castor/planning/manipulation/arm_action_queue.hpp"
 #include "castor/planning/manipulation/components/commands_arm.hpp"
 #include "castor/planning/manipulation/components/sees_table.hpp"
+#include "castor/planning/manipulation/failure_report.hpp"
 #include "castor/planning/manipulation/hidden_posture.hpp"
 #include "castor/planning/manipulation/joint_watch.hpp"
 #include "castor/planning/manipulation/kinematics.hpp"
@@ -193,10 +194,7 @@ protected:
     told_.planning_time +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     if (auto* failure = std::get_if<MotionFailure>(&result)) {
-      told_.reason = failure->text;
-      for (const auto& joint : still_joints_)
-        told_.reason += "; its joint " + joint + " does not move any more";
-      told_.in_way = failure->obstacles;
+      tell_failure(told_, *failure, things_);
       return {};
     }
     auto& found = std::get<ManipulationPlan>(result);
@@ -215,6 +213,7 @@ protected:
     inhibit_vision();
     told_.reason.clear();
     told_.in_way.clear();
+    told_.in_way_ids.clear();
     const auto end = stages_of(plan);
     if (end.kind == StageEnd::Kind::cancelled)
       return {false, ActionResult::cancelled(end.why)};

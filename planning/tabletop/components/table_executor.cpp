@@ -4,6 +4,7 @@
 #include "castor/planning/continual/types.hpp"
 #include "castor/planning/manipulation/types.hpp"
 #include "castor/planning/tabletop/components/knows_table.hpp"
+#include "castor/planning/tabletop/goal_text.hpp"
 #include "castor/planning/tabletop/refusals.hpp"
 #include "castor/planning/tabletop/table_memory.hpp"
 #include "castor/planning/tabletop/types.hpp"
@@ -44,6 +45,8 @@ class TableExecutor final : public KnowsTable {
         if (refusals_.empty())
           refusals_.push_back({result.reason});
         const auto why = explanation_of(refusals_);
+        if (!step.name.starts_with("reposition-") && step.arguments.size() > 1)
+          memory_.refused(step.arguments[1], why.in_way_ids);
         const auto told = read_all_in<manipulation::Manipulation>(manipulation(), 1);
         const auto reason =
           told.empty() ? why.reason : with_joints(why.reason, told.front()->still_joints);
@@ -295,8 +298,10 @@ class TableExecutor final : public KnowsTable {
   void refuse(const std::string& reason) {
     Refusal refusal{reason};
     if (const auto told = read_all_in<manipulation::Manipulation>(manipulation(), 1);
-        !told.empty() && told.front()->reason == reason)
+        !told.empty() && told.front()->reason == reason) {
       refusal.in_way = told.front()->in_way;
+      refusal.in_way_ids = told.front()->in_way_ids;
+    }
     refusals_.push_back(std::move(refusal));
   }
 

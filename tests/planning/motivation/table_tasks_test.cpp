@@ -16,6 +16,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace castor::planning::test {
@@ -40,14 +41,34 @@ std::string domain() {
   return text.str();
 }
 
-PlanningResult planned(const PretendedTable& table, const TableGoal& goal) {
+/// @param facts that are known besides
+PlanningResult planned(const PretendedTable& table, const TableGoal& goal,
+                       const std::string& facts = {}) {
   static const auto text = domain();
-  const auto read = parse_pddl("playmate.pddl", text, "table", table.problem(goal));
+  constexpr std::string_view init = "(:init";
+  auto problem = table.problem(goal);
+  problem.insert(problem.find(init) + init.size(), facts);
+  const auto read = parse_pddl("playmate.pddl", text, "table", problem);
   EXPECT_FALSE(has_errors(read.problems)) << render(read.problems);
   // What has no plan may take long to prove.
   PlanningOptions options;
   options.limits.time = std::chrono::seconds{5};
   return has_errors(read.problems) ? PlanningResult{} : find_plan(read.task, options);
+}
+
+/// The things that a plan moves or takes, in that order.
+std::vector<std::string> moved(const PlanningResult& plan) {
+  std::vector<std::string> result;
+  for (const auto& step : plan.steps) {
+    std::istringstream words{step.action};
+    std::string action;
+    std::string agent;
+    std::string thing;
+    words >> action >> agent >> thing;
+    if (action == "move" || action == "take")
+      result.push_back(thing);
+  }
+  return result;
 }
 
 enum class Outcome { done, refused, failed };
@@ -155,6 +176,19 @@ TEST(TableTasks, ASideIsCleared) {
   for (const auto* name : {"a", "e", "f"})
     EXPECT_GT(table.place(name).x, 0) << name;
   EXPECT_EQ(table.moves(), 3U) << result.steps;
+}
+
+TEST(TableTasks, WhatIsInTheWayIsMovedBefore) {
+  const PretendedTable table{six};
+  // The second is where it ought to be already.
+  TableGoal goal;
+  goal.formula = "(and (in-part a right) (in-part c front))";
+  goal.parts = {"right", "front"};
+  goal.new_places = 3;
+  EXPECT_EQ(moved(planned(table, goal)), std::vector<std::string>{"a"});
+  EXPECT_EQ(moved(planned(table, goal, " (in-way c a)")), (std::vector<std::string>{"c", "a"}));
+  const auto take = goal_of({"Take", {"a"}, 0, {}, {}}, table.things(all_parts));
+  EXPECT_EQ(moved(planned(table, take, " (in-way c a)")), (std::vector<std::string>{"c", "a"}));
 }
 
 TEST(TableTasks, ItIsPutBackWhereItWas) {

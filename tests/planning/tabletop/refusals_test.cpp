@@ -21,6 +21,12 @@ TEST(Refusals, WhatIsInTheWayMostOftenExplains) {
             (Explanation{by_both.reason, "Take the box and the can away first."}));
 }
 
+TEST(Refusals, NameTheThingsThatHelpIfTheyAreTakenAway) {
+  const Refusal by_seen_box{by_box.reason, by_box.in_way, {"o2"}};
+  EXPECT_EQ(explanation_of({by_seen_box, too_far}).in_way_ids, std::vector<std::string>{"o2"});
+  EXPECT_TRUE(explanation_of({by_seen_box, too_far, too_far}).in_way_ids.empty());
+}
+
 TEST(Refusals, OtherwiseTheMostFrequentReasonDoes) {
   EXPECT_EQ(explanation_of({slipped, too_far, by_box, too_far}),
             (Explanation{too_far.reason, "Tell me another place."}));

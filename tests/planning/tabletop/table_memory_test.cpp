@@ -188,6 +188,26 @@ TEST_F(TableMemoryTest, ANewGoalForgetsWhatWasChosenAndDone) {
   EXPECT_THAT(memory.chosen(place), IsEmpty());
 }
 
+TEST_F(TableMemoryTest, WhatIsInTheWayIsMovedBeforeIfTheGoalIsAboutIt) {
+  const auto place = new_place();
+  const std::string goal = "(and (in-part p1 left) (in-part p2 right))";
+  const std::string in_way = "(in-way p2 p1)";
+  memory.refused("p1", {"o2"});
+  EXPECT_THAT(facts(goal), Contains(in_way));
+  EXPECT_THAT(facts("(in-part p1 left)"), Not(Contains(in_way)));
+  // Only one can come first.
+  memory.refused("p2", {"o1"});
+  EXPECT_THAT(facts(goal), Not(Contains("(in-way p1 p2)")));
+  memory.choose("reposition-in", {place, "right"});
+  memory.moved("p2", place, "o2", {0.2, 0.1});
+  EXPECT_THAT(facts(goal), Not(Contains(in_way)));
+  memory.refused("p1", {"o2", "unknown"});
+  EXPECT_THAT(facts(goal), Not(Contains(in_way)));
+  memory.refused("p1", {"o2"});
+  new_place();
+  EXPECT_THAT(facts(goal), Not(Contains(in_way)));
+}
+
 TEST_F(TableMemoryTest, ThatSomethingIsElsewhereIsKnownByWhatWasDone) {
   const auto place = new_place();
   memory.choose("reposition-in", {place, "elsewhere"});
@@ -195,14 +215,6 @@ TEST_F(TableMemoryTest, ThatSomethingIsElsewhereIsKnownByWhatWasDone) {
   EXPECT_THAT(facts("(in-part p1 elsewhere)"), Contains("(wp-in " + place + " elsewhere)"));
   EXPECT_THAT(facts(), Not(Contains("(wp-in " + place + " elsewhere)")));
 }
-
-TEST(PartsIn, AreThoseThatCanBeSeen) {
-  EXPECT_THAT(parts_in("(and (in-part a left) (in-part b elsewhere) (left-of a b) (in-part c left)"
-                       " (in-part d strip-1-of-2))"),
-              testing::ElementsAre("left", "strip-1-of-2"));
-}
-
-} // namespace
 
 TEST_F(TableMemoryTest, KnowsThingsByTheProxiesThatTheyHad) {
   memory.see({seen_as(ball, "o9", {0.3, 0}), box});
@@ -262,5 +274,7 @@ TEST_F(TableMemoryTest, GivesSpotsOfAGoalWaypointsThatAreFreeForTheirThings) {
   EXPECT_THAT(facts(begun.goal), Contains("(used place-3)"));
   EXPECT_THAT(facts("(and (= (pos p2) place-3))"), Not(Contains("(used place-3)")));
 }
+
+} // namespace
 
 } // namespace castor::planning

@@ -1,0 +1,35 @@
+#include "castor/planning/tabletop/goal_text.hpp"
+
+#include <set>
+
+namespace castor::planning {
+
+bool contains_word(std::string_view text, std::string_view word) {
+  constexpr std::string_view ends = " ()";
+  for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const auto end = at + word.size();
+    if ((at == 0 || ends.find(text[at - 1]) != std::string_view::npos) &&
+        (end == text.size() || ends.find(text[end]) != std::string_view::npos))
+      return true;
+  }
+  return false;
+}
+
+std::vector<std::string> parts_in(std::string_view goal) {
+  constexpr std::string_view head = "(in-part ";
+  std::set<std::string> result;
+  for (auto at = goal.find(head); at != std::string_view::npos; at = goal.find(head, at + 1)) {
+    const auto begin = goal.find(' ', at + head.size());
+    const auto end = goal.find(')', at);
+    if (begin == std::string_view::npos || end == std::string_view::npos || begin > end)
+      continue;
+    auto part = std::string{goal.substr(begin + 1, end - begin - 1)};
+    // That it was given to somebody, too, is known by what was done.
+    if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand" &&
+        !part.starts_with("further-") && !part.starts_with("slightly-"))
+      result.insert(std::move(part));
+  }
+  return {result.begin(), result.end()};
+}
+
+} // namespace castor::planning

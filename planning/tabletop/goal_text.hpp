@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the text of a goal speaks of: "(and (in-part ball left))".
+namespace castor::planning {
+
+/// Whether a word is in it, such as the name of a thing.
+bool contains_word(std::string_view text, std::string_view word);
+
+/// Parts of the table that a goal speaks of and that things can be seen in.
+std::vector<std::string> parts_in(std::string_view goal);
+
+} // namespace castor::planning

@@ -1,0 +1,22 @@
+#include "castor/planning/tabletop/goal_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace castor::planning {
+
+TEST(PartsIn, AreThoseThatCanBeSeen) {
+  EXPECT_THAT(parts_in("(and (in-part a left) (in-part b elsewhere) (left-of a b) (in-part c left)"
+                       " (in-part d strip-1-of-2))"),
+              testing::ElementsAre("left", "strip-1-of-2"));
+}
+
+TEST(ContainsWord, WholeWordsOnly) {
+  EXPECT_TRUE(contains_word("(and (in-part ball left))", "ball"));
+  EXPECT_TRUE(contains_word("ball", "ball"));
+  EXPECT_FALSE(contains_word("(and (in-part ball-2 left))", "ball"));
+  EXPECT_FALSE(contains_word("(and (in-part football left))", "ball"));
+  EXPECT_TRUE(contains_word("(left-of ball-2 ball)", "ball"));
+}
+
+} // namespace castor::planning
