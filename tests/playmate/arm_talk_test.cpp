@@ -222,7 +222,7 @@ TEST_F(PlayMateIsAsked, ToPutEverythingBack) {
 }
 
 TEST_F(PlayMateIsAsked, ForTheOtherOneThanItHasChosen) {
-  say("Take a cube.", "The green cube was in front of where the purple ball is now.", {},
+  say("Take a cube.", "The green cube was behind where the red cube is now.", {},
       {{"I hold the red cube now.", "Not that one, the other one."},
        {"I hold the green cube now.", "Where was it before?"}});
   const auto& things = heard().truth.things;
