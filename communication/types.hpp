@@ -267,10 +267,13 @@ struct PronounReferents {
 /// Where something is to be: in a relation to landmarks, or in a part of what things are on.
 struct DirectivePlace {
   /// A relation (near, left, right, front, back, on, between, in, away ...), or without landmarks a
-  /// part: left, left-edge, front-left-corner, centre, edge, corner, elsewhere, table, there ...
+  /// part: left, left-edge, front-left-corner, centre, edge, corner, elsewhere, table, there ...; or
+  /// how several things are arranged: in-row, in-column, in-ring, apart.
   std::string relation;
   /// Proxies; several are meant together.
   std::vector<std::string> landmarks;
+  /// How far something goes to a side, metres; 0 if nothing is said.
+  double distance = 0;
 
   friend bool operator==(const DirectivePlace&, const DirectivePlace&) = default;
 };
@@ -398,7 +401,7 @@ CASTOR_REFLECT(Pointing, x, y, time, held)
 CASTOR_REFLECT(PointingUse, pointing, version, taken_up)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)
 CASTOR_REFLECT(PronounReferents, nominal, proxies)
-CASTOR_REFLECT(DirectivePlace, relation, landmarks)
+CASTOR_REFLECT(DirectivePlace, relation, landmarks, distance)
 CASTOR_REFLECT(DirectiveStep, action, things, number, places, by)
 CASTOR_REFLECT(MoveReferents, move, turn, understood, pronouns, referents, pointing, steps,
                asks_whether_possible, is_unclear, corrects, comes_first)

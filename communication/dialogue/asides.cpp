@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/asides.hpp"
 
+#include "castor/communication/dialogue/beside_requests.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/function_words.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
@@ -280,6 +281,8 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
   if (is_understood(form))
     return std::nullopt;
   if (auto result = parsed_without_asides(parser, words))
+    return result;
+  if (auto result = parsed_request_alone(parser, words))
     return result;
   // "How many balls red" asks how many are red, rather than "how many balls, red or not".
   if (auto result = parsed_with_function_words(parser, words))

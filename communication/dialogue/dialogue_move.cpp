@@ -120,7 +120,10 @@ void take_requests(DialogueMove& move, const WordMeanings& meanings) {
     return dialogue_move_type(x) == DialogueMoveType::action_directive &&
            !action_asked_for(x, meanings).empty();
   };
-  if (dialogue_move_type(move.content) != DialogueMoveType::action_directive)
+  // "You may touch the ball" does not ask for a state: "may you touch it".
+  const auto& sort = find_nominal(move.content, move.content.root)->sort;
+  const bool asks_for_state = sort == "ascription" || sort == "existence";
+  if (dialogue_move_type(move.content) != DialogueMoveType::action_directive || asks_for_state)
     if (const auto meant = std::ranges::find_if(move.alternatives, is_request);
         meant != move.alternatives.end()) {
       std::swap(move.content, *meant);

@@ -2,12 +2,14 @@
 
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/directive_places.hpp"
+#include "castor/communication/dialogue/directive_things.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
-#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace castor::communication {
@@ -16,26 +18,30 @@ namespace {
 
 using Reason = Uninterpretable::Reason;
 using Things = std::vector<std::string>;
+using Meant = MeantThings;
 
-/// Unions, of which so many are meant; 0 for all.
-struct Meant {
-  Things things;
-  std::int32_t number = 0;
-};
+/// Places that things have together: a row, a ring, far from each other.
+bool is_arrangement(std::string_view region) {
+  return region == "in-row" || region == "in-column" || region == "in-ring" || region == "apart";
+}
 
-Things without(Things things, const Things& others) {
-  std::erase_if(things, [&](auto& x) { return std::ranges::find(others, x) != others.end(); });
-  return things;
+/// "Do not touch it", "leave it alone": what it is not to do with a thing at all.
+bool is_about_touching(std::string_view verb) {
+  constexpr std::array<std::string_view, 9> verbs{"touch", "move", "take", "push", "put",
+                                                  "hold",  "reach", "remove", "forbid"};
+  return std::ranges::find(verbs, verb) != verbs.end();
 }
 
 class StepReader {
 public:
   StepReader(const LogicalForm& form, const Antecedents& antecedents, SceneKnowledge& scene)
-    : form_(form), antecedents_(antecedents), scene_(scene), evaluation_(form, antecedents, scene) {
-  }
+    : form_(form), scene_(scene), meant_(form, antecedents, scene) {}
 
   std::vector<DirectiveStep> read() {
     const auto* root = find_nominal(form_, form_.root);
+    for (const auto& x : form_.nominals)
+      if (x.sort == "conjunction" && is_negated(x) && feature(x, "Mood") == "imp")
+        throw Uninterpretable{Reason::word, x.proposition};
     for_each_action(form_, *root, [this](auto& x) { add(x); });
     exchange();
     return std::move(steps_);
@@ -54,9 +60,27 @@ private:
   }
 
   void add(const Nominal& x) {
-    if (x.sort != "action" || is_negated(x))
+    if (x.sort != "action")
       throw Uninterpretable{Reason::word, x.proposition};
+    // "Do not take the ball and put it down": it is not clear how far "not" goes.
+    if (was_negated_ && !is_negated(x))
+      throw Uninterpretable{Reason::word, "not"};
+    check_clauses(x);
     DirectiveStep step;
+    if (is_negated(x) || x.proposition == "forbid") {
+      if (!read_prohibition(x, step))
+        return;
+      was_negated_ = is_negated(x);
+    } else if (is_permission(x)) {
+      step.action = action_for("allow");
+      take(meant_.things(need(x, "Patient")), need(x, "Patient"), step);
+    } else
+      read_request(x, step);
+    steps_.push_back(std::move(step));
+    meant_.end_step(!steps_.back().things.empty());
+  }
+
+  void read_request(const Nominal& x, DirectiveStep& step) {
     const bool is_same = x.proposition == "same";
     // "Push the ball and the cube to the left" has no place of its own for the ball.
     if (is_same && !steps_.empty() && steps_.back().places.empty())
@@ -71,8 +95,63 @@ private:
       read_destination(x, *destination, step);
     else
       read_without_destination(x, step);
-    steps_.push_back(std::move(step));
-    last_ = current_;
+  }
+
+  /// "If the ball is on the left, ...", "because it is in my way, ...".
+  void check_clauses(const Nominal& x) {
+    if (const auto* reason = dependent(form_, x, "Reason"))
+      meant_.note_clause(*reason);
+    const auto* condition = dependent(form_, x, "Condition");
+    if (condition == nullptr)
+      return;
+    const auto truth = meant_.evaluation().clause(*condition);
+    if (truth != Truth::yes && scene_.open_questions().empty())
+      throw Uninterpretable{truth == Truth::no ? Reason::not_so : Reason::unknown,
+                            condition->name};
+    meant_.note_clause(*condition);
+  }
+
+  // -- what is not to be done
+
+  /// \returns false if it says nothing of its own: "... and move nothing else"
+  bool read_prohibition(const Nominal& x, DirectiveStep& step) {
+    const auto& patient = need(x, "Patient");
+    const auto* destination = dependent(form_, x, "Destination");
+    step.action = action_for("forbid");
+    // "Do not put anything on the box."
+    if (destination != nullptr) {
+      const auto delimited = feature(patient, "Delimitation");
+      const bool is_anything = (delimited == "any" || delimited == "none") &&
+                               vocabulary().is_general(patient.proposition);
+      const auto places = places_named(form_, *destination, vocabulary());
+      if (!is_anything || places.size() != 1 || places.front().relation != "on" ||
+          places.front().landmark == nullptr)
+        throw Uninterpretable{Reason::word, x.proposition};
+      step.places.push_back({"on", {}});
+      take(meant_.things(*places.front().landmark), *places.front().landmark, step);
+      return true;
+    }
+    if (!is_about_touching(x.proposition))
+      throw Uninterpretable{Reason::word, x.proposition};
+    // Nothing else is moved without need.
+    if (is_about_others(form_, patient) && is_part_of_several())
+      return false;
+    auto meant = meant_.things(patient);
+    // "Any ball" is all of them here.
+    meant.number = 0;
+    take(meant, patient, step);
+    return true;
+  }
+
+  bool is_part_of_several() const {
+    return find_nominal(form_, form_.root)->sort == "conjunction";
+  }
+
+  /// "You may touch the ball again."
+  bool is_permission(const Nominal& x) const {
+    const bool is_alone = dependent(form_, x, "Destination") == nullptr;
+    return x.proposition == "allow" || (x.proposition == "touch" && is_alone) ||
+           (feature(x, "Permission") == "true" && x.proposition == "move" && is_alone);
   }
 
   /// "The ball where the cube is, and the cube where the ball is": they change places.
@@ -101,7 +180,7 @@ private:
     }
     if (is_its_own_place(patient, destination)) {
       step.action = action_for("put-back");
-      return take(one_of_like(patient), patient, step);
+      return take(meant_.one_of_like(patient), patient, step);
     }
     // "In its old place" may be that of the thing itself: who knows what was moved decides.
     const bool is_its_or_own = destination.proposition == "place-before-of" && anchor != nullptr &&
@@ -111,20 +190,24 @@ private:
       step.action = action_for("put-back");
     else if (step.action != action_for("push"))
       step.action = action_for("put");
-    auto meant = things(patient);
+    auto meant = meant_.things(patient);
     if (destination.proposition == "near-each-other")
       return read_gathering(meant, step);
+    if (destination.proposition == "on-each-other")
+      return read_stacking(meant, step);
+    if (is_arrangement(destination.proposition))
+      return read_arrangement(meant, destination, step);
     Things landmarks;
     for (const auto& place : places_named(form_, destination, vocabulary())) {
       Things others;
       if (place.landmark != nullptr)
-        others = landmarks_of(*place.landmark, meant.things);
-      step.places.push_back({place.relation, proxies(others)});
+        others = meant_.landmarks_of(*place.landmark, meant.things);
+      step.places.push_back({place.relation, meant_.proxies(others), place.distance});
       landmarks.insert(landmarks.end(), others.begin(), others.end());
     }
     // "Put everything next to the disc" moves all but the disc.
     if (!is_definite(patient) || is_plural(patient))
-      meant.things = without(std::move(meant.things), landmarks);
+      meant.things = all_but(std::move(meant.things), landmarks);
     take(meant, patient, step);
   }
 
@@ -136,7 +219,7 @@ private:
     if (is_pronoun(patient))
       return true;
     try {
-      return landmarks_of(*anchor, {}) == things_of(patient).things;
+      return meant_.landmarks_of(*anchor, {}) == meant_.things_of(patient).things;
     } catch (const Uninterpretable& e) {
       if (e.what != anchor->name)
         throw;
@@ -146,7 +229,7 @@ private:
 
   /// "Next to each other": the others next to the first one.
   void read_gathering(const Meant& meant, DirectiveStep& step) {
-    auto gathered = proxies(meant.things);
+    auto gathered = meant_.proxies(meant.things);
     if (meant.number > 0 && std::ssize(gathered) > meant.number)
       gathered.resize(static_cast<std::size_t>(meant.number));
     if (gathered.size() < 2 && scene_.open_questions().empty())
@@ -155,6 +238,28 @@ private:
       return;
     step.places.push_back({"near", {gathered.front()}});
     step.things.assign(gathered.begin() + 1, gathered.end());
+  }
+
+  /// Each on the one before.
+  void read_stacking(const Meant& meant, DirectiveStep& step) {
+    const auto stacked = meant_.proxies(meant.things);
+    if (stacked.size() < 2 && scene_.open_questions().empty())
+      throw Uninterpretable{Reason::word, "on-each-other"};
+    for (std::size_t i = 1; i < stacked.size(); ++i) {
+      DirectiveStep next{step.action, {stacked[i]}, 0, {{"on", {stacked[i - 1]}}}, {}};
+      if (i + 1 < stacked.size())
+        steps_.push_back(std::move(next));
+      else
+        step = std::move(next);
+    }
+  }
+
+  void read_arrangement(const Meant& meant, const Nominal& destination, DirectiveStep& step) {
+    if (meant.things.size() < 2 && scene_.open_questions().empty())
+      throw Uninterpretable{Reason::word, destination.proposition};
+    step.places.push_back({destination.proposition, {}});
+    step.things = meant_.proxies(meant.things);
+    step.number = meant.number < std::ssize(meant.things) ? meant.number : 0;
   }
 
   void read_without_destination(const Nominal& x, DirectiveStep& step) {
@@ -174,7 +279,7 @@ private:
     if (x.proposition == "put-back" && is_everything(*patient))
       step.action = action_for("restore");
     const bool tells_itself = x.proposition == "drop" || x.proposition == "put-back";
-    take(tells_itself ? one_of_like(*patient) : things(*patient), *patient, step);
+    take(tells_itself ? meant_.one_of_like(*patient) : meant_.things(*patient), *patient, step);
   }
 
   /// "Put everything back", but not "all of them" or "all balls".
@@ -182,18 +287,6 @@ private:
     return feature(phrase, "Delimitation") == "all" && phrase.relations.empty() &&
            vocabulary().is_general(phrase.proposition) && !is_pronoun(phrase) &&
            vocabulary().meanings().actions.contains("restore");
-  }
-
-  /// What is put down is held, and what is put back was moved: that tells which of several is
-  /// meant.
-  Meant one_of_like(const Nominal& phrase) {
-    try {
-      return things(phrase);
-    } catch (const Uninterpretable& e) {
-      if (e.reason != Reason::ambiguous)
-        throw;
-      return {is_pronoun(phrase) ? scene_.things() : evaluation_.described(phrase).certain, 1};
-    }
   }
 
   void read_clearing(const Nominal& part, DirectiveStep& step) {
@@ -213,25 +306,25 @@ private:
     Meant meant{scene_.things(), 0};
     if (patient != nullptr)
       try {
-        meant = things(*patient);
+        meant = meant_.things(*patient);
       } catch (const Uninterpretable& e) {
         // "Sort them": all there are, if nothing was spoken of.
         if (!is_pronoun(*patient) || e.reason != Reason::ambiguous)
           throw;
       }
-    step.things = proxies(meant.things);
+    step.things = meant_.proxies(meant.things);
   }
 
   void read_swapping(const Nominal& x, DirectiveStep& step) {
     const auto& patient = need(x, "Patient");
-    auto both = things(patient).things;
+    auto both = meant_.things(patient).things;
     if (const auto* other = dependent(form_, x, "Counterpart"))
-      for (auto& id : landmarks_of(*other, both))
+      for (auto& id : meant_.landmarks_of(*other, both))
         both.push_back(id);
     if (scene_.open_questions().empty() && both.size() != 2)
       throw Uninterpretable{both.size() < 2 ? Reason::nothing_like : Reason::ambiguous,
                             patient.name};
-    step.things = proxies(both);
+    step.things = meant_.proxies(both);
   }
 
   // -- what is meant
@@ -246,147 +339,15 @@ private:
   void take(const Meant& meant, const Nominal& phrase, DirectiveStep& step) {
     if (meant.things.empty() && scene_.open_questions().empty())
       throw Uninterpretable{Reason::nothing_like, phrase.name};
-    step.things = proxies(meant.things);
+    step.things = meant_.proxies(meant.things);
     step.number = meant.number < std::ssize(meant.things) ? meant.number : 0;
   }
 
-  Things proxies(const Things& ids) const {
-    Things result;
-    for (const auto& id : ids) {
-      auto proxy = scene_.proxy_of(id);
-      result.push_back(proxy.empty() ? id : std::move(proxy));
-    }
-    return result;
-  }
-
-  /// Proxies of what "it" stands for, if none of them is there any more: whoever has moved the
-  /// thing knows it by the proxy that it had.
-  Things of_before(const Nominal& phrase) {
-    const auto before = antecedents_.find(phrase.name);
-    if (!is_pronoun(phrase) || before == antecedents_.end() || scene_.things().empty())
-      return {};
-    const bool is_there = std::ranges::any_of(scene_.things(), [&](const auto& id) {
-      return std::ranges::find(before->second, scene_.proxy_of(id)) != before->second.end();
-    });
-    return is_there ? Things{} : before->second;
-  }
-
-  /// The things of the step before, if there is one that a pronoun can stand for.
-  std::optional<Meant> of_step_before(const Nominal& phrase) const {
-    if (steps_.empty() || !is_pronoun(phrase) || steps_.back().things.empty())
-      return std::nullopt;
-    const auto& before = last_;
-    const auto count = before.number == 0 ? std::ssize(before.things) : before.number;
-    if (is_plural(phrase) != (count > 1))
-      return std::nullopt;
-    return before;
-  }
-
-  Meant things(const Nominal& phrase) {
-    auto result = things_of(phrase);
-    if (!result.things.empty())
-      current_ = result;
-    return result;
-  }
-
-  Meant things_of(const Nominal& phrase) {
-    if (auto before = of_step_before(phrase))
-      return *before;
-    if (phrase.sort == "conjunction")
-      return all_or_one_of(phrase);
-    if (phrase.sort != "thing" || vocabulary().surroundings(phrase) != nullptr)
-      throw Uninterpretable{Reason::word, phrase.proposition};
-    if (auto moved = of_before(phrase); !moved.empty())
-      return {std::move(moved), 0};
-    if (is_definite_phrase(phrase)) {
-      const bool is_others = is_plural(phrase) && is_about_others(form_, phrase);
-      if (is_others && !antecedents_.contains(phrase.name) && scene_.open_questions().empty())
-        throw Uninterpretable{Reason::ambiguous, phrase.name};
-      auto meant = evaluation_.meant(phrase);
-      if (meant.size() == 1 && is_others)
-        meant = all_but_those_before(phrase);
-      return {std::move(meant), 0};
-    }
-    const auto found = evaluation_.described(phrase).best();
-    if (!scene_.open_questions().empty())
-      return {};
-    const auto number = number_of(phrase, found.size());
-    if (found.empty() || std::ssize(found) < number)
-      throw Uninterpretable{Reason::nothing_like, phrase.name};
-    return {found, number};
-  }
-
-  /// "The others" are several: all things, if there are no further ones of the kind spoken of.
-  Things all_but_those_before(const Nominal& phrase) {
-    const auto before = antecedents_.find(phrase.name);
-    auto result = scene_.things();
-    if (before != antecedents_.end())
-      std::erase_if(result, [&](auto& id) {
-        return std::ranges::find(before->second, scene_.proxy_of(id)) != before->second.end();
-      });
-    return result;
-  }
-
-  /// "The ball and a cube"; "the ball or the cube".
-  Meant all_or_one_of(const Nominal& phrase) {
-    Meant result;
-    for (const auto* mode : {"First", "Next"}) {
-      auto part = things_of(need(phrase, mode));
-      part.things = without(std::move(part.things), result.things);
-      if (part.number > 0 && std::ssize(part.things) > part.number)
-        part.things.resize(static_cast<std::size_t>(part.number));
-      result.things.insert(result.things.end(), part.things.begin(), part.things.end());
-    }
-    result.number = phrase.proposition == "or" ? 1 : 0;
-    return result;
-  }
-
-  /// How many of `all` an indefinite phrase means; 0 for all.
-  std::int32_t number_of(const Nominal& phrase, std::size_t all) const {
-    if (const auto* quantity = dependent(form_, phrase, "Quantity")) {
-      if (const auto range = number_range(*quantity))
-        return static_cast<std::int32_t>(std::max<std::size_t>(range->least, 1));
-      return static_cast<std::int32_t>(std::min<std::size_t>(all, 3)); // several, many
-    }
-    const auto delimited = feature(phrase, "Delimitation");
-    if (delimited == "all" || delimited == "both")
-      return 0;
-    if (delimited == "none")
-      throw Uninterpretable{Reason::word, phrase.proposition};
-
-    if (delimited == "half")
-      return static_cast<std::int32_t>((all + 1) / 2);
-    if (delimited == "most")
-      return static_cast<std::int32_t>(all / 2 + 1);
-    if (!is_plural(phrase))
-      return 1;
-    return delimited.empty() ? 0 : static_cast<std::int32_t>(std::min<std::size_t>(all, 2));
-  }
-
-  /// "Next to the ball" is next to the other one, if a ball is to be put there.
-  Things landmarks_of(const Nominal& phrase, const Things& patients) {
-    try {
-      if (auto before = of_step_before(phrase); before && before->things != patients)
-        return before->things;
-      return things_of(phrase).things;
-    } catch (const Uninterpretable& e) {
-      if (e.reason != Reason::ambiguous || e.what != phrase.name || is_pronoun(phrase))
-        throw;
-      auto others = without(evaluation_.described(phrase).certain, patients);
-      if (others.size() != 1)
-        throw;
-      return others;
-    }
-  }
-
   const LogicalForm& form_;
-  const Antecedents& antecedents_;
   SceneKnowledge& scene_;
-  Evaluation evaluation_;
+  DirectiveThings meant_;
   std::vector<DirectiveStep> steps_;
-  /// Unions that the step before was about, and those that this one is.
-  Meant last_;
-  Meant current_;
+  bool was_negated_ = false;
 };
 
 } // namespace

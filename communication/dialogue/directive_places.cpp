@@ -4,6 +4,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <array>
+#include <charconv>
 #include <map>
 #include <string_view>
 
@@ -88,6 +89,14 @@ std::string relation(const std::string& word, const Vocabulary& vocabulary) {
   throw Uninterpretable{Reason::word, word};
 }
 
+/// "Ten centimetres to the left"; 0 if nothing is said.
+double metres_of(const Nominal& region) {
+  const auto centimetres = feature(region, "Centimetres");
+  int number = 0;
+  std::from_chars(centimetres.data(), centimetres.data() + centimetres.size(), number);
+  return number / 100.0;
+}
+
 /// "Front" and "left" without landmarks are a corner.
 std::vector<PlacePhrase> with_corner(std::vector<PlacePhrase> places) {
   if (places.size() != 2 || places[0].landmark != nullptr || places[1].landmark != nullptr)
@@ -144,7 +153,7 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
   // "A bit further left."
   if (const auto degree = feature(destination, "Degree"); !degree.empty()) {
     const auto side = destination.proposition.substr(destination.proposition.find('-'));
-    return {{(degree == "small" ? "slightly" : "further") + side, nullptr}};
+    return {{(degree == "small" ? "slightly" : "further") + side, nullptr, metres_of(destination)}};
   }
   if (anchor == nullptr)
     return {{part(destination.proposition), nullptr}};

@@ -14,6 +14,8 @@ struct PlacePhrase {
   std::string relation;
   /// Phrase for the landmarks; null if there are none.
   const Nominal* landmark = nullptr;
+  /// How far to a side, metres; 0 if nothing is said.
+  double distance = 0;
 };
 
 /// The places that a destination names, all of which are to hold: "in front of the box and left of

@@ -30,6 +30,8 @@ struct Uninterpretable {
     nothing_pointed_at,
     /// Nobody knows what there is of its kind.
     unknown_kind,
+    /// A clause that a request depends on is not so.
+    not_so,
   };
 
   Reason reason = Reason::word;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/communication/dialogue/fragments.hpp"
 #include "castor/communication/dialogue/response.hpp"
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/dialogue/scene_knowledge.hpp"
@@ -11,12 +12,6 @@
 #include <utility>
 
 namespace castor::communication {
-
-/// A move with all that it leaves to what was said before.
-struct CompleteMove {
-  DialogueMove move;
-  Antecedents antecedents;
-};
 
 /// The questions of a dialogue that later moves take up: "the red one" after "which ball do you
 /// mean?", and "and the disc?" after "what colour is the ball?".

@@ -99,6 +99,9 @@ LogicalForm Responder::described(LogicalForm said) {
 Response Responder::to(const Uninterpretable& why) const {
   using Reason = Uninterpretable::Reason;
   const auto* phrase = find_nominal(form_, why.what);
+  // "If the ball is on the left, take it."
+  if (why.reason == Reason::not_so)
+    return {RhetoricalRelation::answer, {}, "That is not so, so I do nothing.", {}};
   // "Can you take the ball?"
   if (why.reason == Reason::word && root().sort == "action")
     return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};

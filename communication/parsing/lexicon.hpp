@@ -59,7 +59,9 @@ enum class WordClass {
   /// Frame words beside which stands who speaks or is spoken to: "Zorg says", "tell the zorgs".
   telling,
   /// Words that are never left out: "unless", "almost".
-  decisive
+  decisive,
+  /// Phrases that begin a part of a request that only says why: "because", "so that I".
+  reason
 };
 
 /// Words with their categories and meanings, and the root categories of utterances. Read from a

@@ -24,11 +24,12 @@ constexpr std::size_t max_variables = 60;
 
 const std::vector<std::string_view> keywords = {"feature",  "root",   "raise",  "call", "filler",
                                                 "aside",    "frame",  "person", "name", "telling",
-                                                "decisive", "family", "words",  "nouns"};
+                                                "decisive", "reason", "family", "words", "nouns"};
 
 const std::map<std::string_view, WordClass> word_classes = {
   {"aside", WordClass::aside}, {"frame", WordClass::frame},     {"person", WordClass::person},
-  {"name", WordClass::name},   {"telling", WordClass::telling}, {"decisive", WordClass::decisive}};
+  {"name", WordClass::name},   {"telling", WordClass::telling}, {"decisive", WordClass::decisive},
+  {"reason", WordClass::reason}};
 
 /// Takes "{-1.5}" off the end of a piece.
 double take_weight(Piece& piece) {

@@ -22,8 +22,9 @@
 ///     frame tell believe that       # words of parts that are left out of it, with those of
 ///     person i my you               # who speaks or is spoken to
 ///     name mia                      # names of people: frame words that no typing error is taken
-///     for telling says ask              # who is named beside them speaks or is spoken to decisive
-///     unless almost        # words that are never left out
+///     telling says ask              # who is named beside them speaks or is spoken to
+///     decisive unless almost        # words that are never left out
+///     reason because so_that_i      # what begins a part of a request that only says why
 ///
 ///     family Noun                   # what a group of words may be: categories and meanings
 ///       n[?number]<x> : @x:thing(* ^ <Number>?number)

@@ -92,8 +92,12 @@ std::string a_letter_off(const std::string& word, const Lexicon& lexicon) {
     return {};
   }
   auto known = lexicon.suggestions(word, 8);
-  std::erase_if(
-    known, [&](auto& x) { return !is_a_letter_off(word, x) || lexicon.is_in(WordClass::name, x); });
+  // "Gingerly" is no other word than another adverb.
+  const bool is_adverb = word.ends_with("ly");
+  std::erase_if(known, [&](auto& x) {
+    return !is_a_letter_off(word, x) || lexicon.is_in(WordClass::name, x) ||
+           (is_adverb && !x.ends_with("y"));
+  });
   // The first letter is seldom wrong.
   auto found = std::ranges::find(known, word.front(), [](auto& x) { return x.front(); });
   if (found != known.end())

@@ -36,7 +36,8 @@ std::string shown(const DirectiveStep& x, bool asks_whether_possible) {
     {"Put", "put"},     {"Take", "take"},       {"PutDown", "down"},      {"Give", "give"},
     {"Push", "push"},   {"PutBack", "back"},    {"Swap", "swap"},         {"Sort", "sort"},
     {"Clear", "clear"}, {"Stop", "stop"},       {"Wait", "wait"},         {"GoOn", "go-on"},
-    {"Undo", "undo"},   {"Restore", "restore"}, {"WhereWas", "where-was"}};
+    {"Undo", "undo"},   {"Restore", "restore"}, {"WhereWas", "where-was"}, {"Forbid", "forbid"},
+    {"Allow", "allow"}, {"WhichMoved", "which-moved"}};
   auto result = asks_whether_possible ? std::string{"able"} : names.at(x.action);
   if (!x.things.empty())
     result +=
@@ -108,6 +109,12 @@ TEST(Directives, AllThatTheGrammarWasWrittenWithAreUnderstood) {
 TEST(Directives, WhatIsSaidOfOthersIsUnderstood) {
   const auto result = figures_of("conversation.txt");
   EXPECT_GE(result.all, 35U);
+  EXPECT_EQ(result.right, result.all) << result.failures;
+}
+
+TEST(Directives, WhatIsSaidInOtherWaysIsUnderstood) {
+  const auto result = figures_of("indirect.txt");
+  EXPECT_GE(result.all, 55U);
   EXPECT_EQ(result.right, result.all) << result.failures;
 }
 

@@ -1,0 +1,101 @@
+#include "castor/communication/dialogue/beside_requests.hpp"
+
+#include "castor/communication/dialogue/content.hpp"
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/packing.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+using WordList = std::vector<std::string>;
+
+/// In words, of what begins a reason.
+constexpr std::size_t longest_reason_word = 4;
+
+std::string text_of(const WordList& words) {
+  std::string result;
+  for (const auto& word : words)
+    if (word != ",")
+      result += (result.empty() ? "" : " ") + word;
+  return result;
+}
+
+WordList piece(const WordList& words, std::size_t begin, std::size_t end) {
+  WordList result(std::next(words.begin(), static_cast<std::ptrdiff_t>(begin)),
+                  std::next(words.begin(), static_cast<std::ptrdiff_t>(end)));
+  while (!result.empty() && result.back() == ",")
+    result.pop_back();
+  return result;
+}
+
+bool begins_reason(const WordList& words, std::size_t at, const Lexicon& lexicon) {
+  for (auto end = std::min(at + longest_reason_word, words.size()); end > at; --end)
+    if (lexicon.is_in(WordClass::reason, text_of(piece(words, at, end))))
+      return true;
+  return false;
+}
+
+/// \param is_after whether something else is said before it
+bool is_clear_request(const PackedLogicalForm& form, bool is_after) {
+  const auto said = unpack(form, form.readings.front().id).front();
+  if (feature(*find_nominal(said, said.root), "Mood") != "imp")
+    return false;
+  return !is_after || std::ranges::none_of(part_of(said, said.root).nominals,
+                                           [](const Nominal& x) { return is_pronoun(x); });
+}
+
+std::optional<PackedLogicalForm> clear_request(Parser& parser, WordList words, const WordList& left_out,
+                                         bool is_after) {
+  if (words.empty() || left_out.empty())
+    return std::nullopt;
+  auto form = parser.parse_whole(std::move(words));
+  if (!form || !is_clear_request(*form, is_after))
+    return std::nullopt;
+  form->corrections.push_back({text_of(left_out), {}});
+  return form;
+}
+
+std::optional<PackedLogicalForm> without_reason(Parser& parser, const WordList& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!begins_reason(words, i, parser.lexicon()))
+      continue;
+    if (i > 0)
+      return clear_request(parser, piece(words, 0, i), piece(words, i, words.size()), false);
+    for (std::size_t end = 1; end < words.size(); ++end)
+      if (words[end] == ",")
+        if (auto form =
+              clear_request(parser, piece(words, end + 1, words.size()), piece(words, 0, end), true))
+          return form;
+  }
+  return std::nullopt;
+}
+
+/// Adverbs that are not known.
+std::optional<PackedLogicalForm> without_manner(Parser& parser, const WordList& words) {
+  const auto& lexicon = parser.lexicon();
+  WordList known;
+  WordList left_out;
+  for (const auto& word : words) {
+    const bool is_manner = word.ends_with("ly") && !lexicon.knows(word) &&
+                           !lexicon.is_in(WordClass::decisive, word);
+    (is_manner ? left_out : known).push_back(word);
+  }
+  return clear_request(parser, std::move(known), left_out, false);
+}
+
+} // namespace
+
+std::optional<PackedLogicalForm> parsed_request_alone(Parser& parser, const WordList& words) {
+  if (auto result = without_reason(parser, words))
+    return result;
+  return without_manner(parser, words);
+}
+
+} // namespace castor::communication

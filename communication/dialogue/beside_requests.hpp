@@ -1,0 +1,19 @@
+#pragma once
+
+#include "castor/communication/parsing/parser.hpp"
+#include "castor/communication/types.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+/// A request that is understood without a part that only says why ("..., because it is mine", "so
+/// that I can see it"), or without a word that only says how ("gingerly"). What is left out is
+/// noted as a correction, to be said back. Nothing if it is no request, or if a pronoun of it might
+/// stand for what is spoken of in the part before.
+std::optional<PackedLogicalForm> parsed_request_alone(Parser& parser,
+                                                      const std::vector<std::string>& words);
+
+} // namespace castor::communication

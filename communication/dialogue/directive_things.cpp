@@ -1,0 +1,222 @@
+#include "castor/communication/dialogue/directive_things.hpp"
+
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+using Reason = Uninterpretable::Reason;
+using Things = std::vector<std::string>;
+
+std::ptrdiff_t count_of(const MeantThings& x) {
+  return x.number == 0 ? std::ssize(x.things) : x.number;
+}
+
+/// The phrases of "the ball is left of the box": subject first.
+std::vector<const Nominal*> phrases_of(const LogicalForm& form, const Nominal& clause) {
+  std::vector<const Nominal*> result;
+  for (const auto* mode : {"Cop-Restr", "Subject", "Cop-Scope", "First", "Next"})
+    if (const auto* x = dependent(form, clause, mode)) {
+      if (x->sort == "thing")
+        result.push_back(x);
+      else if (const auto* anchor = dependent(form, *x, "Anchor");
+               anchor != nullptr && anchor->sort == "thing")
+        result.push_back(anchor);
+    }
+  return result;
+}
+
+} // namespace
+
+std::vector<std::string> all_but(std::vector<std::string> things,
+                                 const std::vector<std::string>& others) {
+  std::erase_if(things, [&](auto& x) { return std::ranges::find(others, x) != others.end(); });
+  return things;
+}
+
+Things DirectiveThings::proxies(const Things& unions) const {
+  Things result;
+  for (const auto& id : unions) {
+    auto proxy = scene_.proxy_of(id);
+    result.push_back(proxy.empty() ? id : std::move(proxy));
+  }
+  return result;
+}
+
+void DirectiveThings::end_step(bool names_things) {
+  if (names_things)
+    last_ = current_;
+  else
+    last_.reset();
+}
+
+void DirectiveThings::note_clause(const Nominal& clause) {
+  for (const auto* phrase : phrases_of(form_, clause)) {
+    if (vocabulary().surroundings(*phrase) != nullptr)
+      continue;
+    if (is_pronoun(*phrase) && !antecedents_.contains(phrase->name))
+      continue;
+    auto meant = is_definite_phrase(*phrase) ? MeantThings{evaluation_.meant(*phrase), 0}
+                                             : MeantThings{evaluation_.described(*phrase).best(),
+                                                           is_plural(*phrase) ? 0 : 1};
+    for (const auto& x : meant.things)
+      if (std::ranges::find(of_whole_clause_.things, x) == of_whole_clause_.things.end())
+        of_whole_clause_.things.push_back(x);
+    if (!subject_)
+      subject_ = std::move(meant);
+  }
+}
+
+/// Proxies of what "it" stands for, if none of them is there any more: whoever has moved the
+/// thing knows it by the proxy that it had.
+Things DirectiveThings::of_before(const Nominal& phrase) {
+  const auto before = antecedents_.find(phrase.name);
+  if (!is_pronoun(phrase) || before == antecedents_.end() || scene_.things().empty())
+    return {};
+  const bool is_there = std::ranges::any_of(scene_.things(), [&](const auto& id) {
+    return std::ranges::find(before->second, scene_.proxy_of(id)) != before->second.end();
+  });
+  return is_there ? Things{} : before->second;
+}
+
+/// The things of the step before, if there is one that a pronoun can stand for.
+std::optional<MeantThings> DirectiveThings::of_step_before(const Nominal& phrase) const {
+  if (!is_pronoun(phrase))
+    return std::nullopt;
+  if (!last_)
+    return of_clause(phrase);
+  if (is_plural(phrase) != (count_of(*last_) > 1))
+    return std::nullopt;
+  return last_;
+}
+
+std::optional<MeantThings> DirectiveThings::of_clause(const Nominal& phrase) const {
+  if (!subject_)
+    return std::nullopt;
+  if (is_plural(phrase) == (count_of(*subject_) > 1))
+    return subject_;
+  return is_plural(phrase) && of_whole_clause_.things.size() > 1 ? std::optional{of_whole_clause_}
+                                                                 : std::nullopt;
+}
+
+MeantThings DirectiveThings::things(const Nominal& phrase) {
+  auto result = things_of(phrase);
+  if (!result.things.empty())
+    current_ = result;
+  return result;
+}
+
+MeantThings DirectiveThings::things_of(const Nominal& phrase) {
+  if (auto before = of_step_before(phrase))
+    return *before;
+  if (phrase.sort == "conjunction")
+    return all_or_one_of(phrase);
+  if (phrase.sort != "thing" || vocabulary().surroundings(phrase) != nullptr)
+    throw Uninterpretable{Reason::word, phrase.proposition};
+  if (auto moved = of_before(phrase); !moved.empty())
+    return {std::move(moved), 0};
+  const bool is_others = is_about_others(form_, phrase);
+  // "Leave the ball alone and take everything else."
+  if (is_others && last_ && feature(phrase, "Delimitation") == "all")
+    return {all_but(scene_.things(), last_->things), 0};
+  if (!is_definite_phrase(phrase))
+    return indefinite(phrase);
+  if (is_plural(phrase) && is_others && !antecedents_.contains(phrase.name) &&
+      scene_.open_questions().empty())
+    throw Uninterpretable{Reason::ambiguous, phrase.name};
+  auto meant = evaluation_.meant(phrase);
+  if (meant.size() == 1 && is_plural(phrase) && is_others)
+    meant = all_but_those_before(phrase);
+  return {std::move(meant), 0};
+}
+
+MeantThings DirectiveThings::indefinite(const Nominal& phrase) {
+  const auto found = evaluation_.described(phrase).best();
+  if (!scene_.open_questions().empty())
+    return {};
+  const auto number = number_of(phrase, found.size());
+  if (found.empty() || std::ssize(found) < number)
+    throw Uninterpretable{Reason::nothing_like, phrase.name};
+  return {found, number};
+}
+
+/// "The others" are several: all things, if there are no further ones of the kind spoken of.
+Things DirectiveThings::all_but_those_before(const Nominal& phrase) {
+  const auto before = antecedents_.find(phrase.name);
+  auto result = scene_.things();
+  if (before != antecedents_.end())
+    std::erase_if(result, [&](auto& id) {
+      return std::ranges::find(before->second, scene_.proxy_of(id)) != before->second.end();
+    });
+  return result;
+}
+
+/// "The ball and a cube"; "the ball or the cube".
+MeantThings DirectiveThings::all_or_one_of(const Nominal& phrase) {
+  MeantThings result;
+  for (const auto* mode : {"First", "Next"}) {
+    const auto* x = dependent(form_, phrase, mode);
+    if (x == nullptr)
+      throw Uninterpretable{Reason::word, phrase.proposition};
+    auto part = things_of(*x);
+    part.things = all_but(std::move(part.things), result.things);
+    if (part.number > 0 && std::ssize(part.things) > part.number)
+      part.things.resize(static_cast<std::size_t>(part.number));
+    result.things.insert(result.things.end(), part.things.begin(), part.things.end());
+  }
+  result.number = phrase.proposition == "or" ? 1 : 0;
+  return result;
+}
+
+/// How many of `all` an indefinite phrase means; 0 for all.
+std::int32_t DirectiveThings::number_of(const Nominal& phrase, std::size_t all) const {
+  if (const auto* quantity = dependent(form_, phrase, "Quantity")) {
+    if (const auto range = number_range(*quantity))
+      return static_cast<std::int32_t>(std::max<std::size_t>(range->least, 1));
+    return static_cast<std::int32_t>(std::min<std::size_t>(all, 3)); // several, many
+  }
+  const auto delimited = feature(phrase, "Delimitation");
+  if (delimited == "all" || delimited == "both")
+    return 0;
+  if (delimited == "none")
+    throw Uninterpretable{Reason::word, phrase.proposition};
+  if (delimited == "half")
+    return static_cast<std::int32_t>((all + 1) / 2);
+  if (delimited == "most")
+    return static_cast<std::int32_t>(all / 2 + 1);
+  if (!is_plural(phrase))
+    return 1;
+  return delimited.empty() ? 0 : static_cast<std::int32_t>(std::min<std::size_t>(all, 2));
+}
+
+Things DirectiveThings::landmarks_of(const Nominal& phrase, const Things& patients) {
+  try {
+    if (auto before = of_step_before(phrase); before && before->things != patients)
+      return before->things;
+    return things_of(phrase).things;
+  } catch (const Uninterpretable& e) {
+    if (e.reason != Reason::ambiguous || e.what != phrase.name || is_pronoun(phrase))
+      throw;
+    auto others = all_but(evaluation_.described(phrase).certain, patients);
+    if (others.size() != 1)
+      throw;
+    return others;
+  }
+}
+
+MeantThings DirectiveThings::one_of_like(const Nominal& phrase) {
+  try {
+    return things(phrase);
+  } catch (const Uninterpretable& e) {
+    if (e.reason != Reason::ambiguous)
+      throw;
+    return {is_pronoun(phrase) ? scene_.things() : evaluation_.described(phrase).certain, 1};
+  }
+}
+
+} // namespace castor::communication

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/communication/types.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+/// Unions, of which so many are meant; 0 for all.
+struct MeantThings {
+  std::vector<std::string> things;
+  std::int32_t number = 0;
+};
+
+std::vector<std::string> all_but(std::vector<std::string> things,
+                                 const std::vector<std::string>& others);
+
+/// What the phrases of a request stand for, one step after the other.
+///
+/// \throws Uninterpretable from every function if it is not clear what is meant, or nothing like it
+/// is there
+class DirectiveThings {
+public:
+  using Things = std::vector<std::string>;
+
+  /// All of them have to outlive it.
+  DirectiveThings(const LogicalForm& form, const Antecedents& antecedents, SceneKnowledge& scene)
+    : form_(form), antecedents_(antecedents), scene_(scene), evaluation_(form, antecedents, scene) {
+  }
+
+  /// What is to be handled: what pronouns of the next step stand for.
+  MeantThings things(const Nominal& phrase);
+  /// The same, but for pronouns of the next step.
+  MeantThings things_of(const Nominal& phrase);
+  /// "Next to the ball" is next to the other one, if a ball is to be put there.
+  Things landmarks_of(const Nominal& phrase, const Things& patients);
+  /// Any of those that are like it, if it is not clear which: what is put down is held, and what is
+  /// put back was moved, which tells.
+  MeantThings one_of_like(const Nominal& phrase);
+
+  Things proxies(const Things& unions) const;
+
+  /// A step ends: pronouns of the next one stand for its things.
+  /// \param names_things whether there are any
+  void end_step(bool names_things);
+  /// "If there is a ball on the left, take it": a clause that a step depends on, or is asked for
+  /// because of, says what its pronouns stand for.
+  void note_clause(const Nominal& clause);
+
+  Evaluation& evaluation() { return evaluation_; }
+
+private:
+  const Vocabulary& vocabulary() const { return scene_.vocabulary(); }
+
+  Things of_before(const Nominal& phrase);
+  std::optional<MeantThings> of_step_before(const Nominal& phrase) const;
+  std::optional<MeantThings> of_clause(const Nominal& phrase) const;
+  Things all_but_those_before(const Nominal& phrase);
+  MeantThings all_or_one_of(const Nominal& phrase);
+  MeantThings indefinite(const Nominal& phrase);
+  std::int32_t number_of(const Nominal& phrase, std::size_t all) const;
+
+  const LogicalForm& form_;
+  const Antecedents& antecedents_;
+  SceneKnowledge& scene_;
+  Evaluation evaluation_;
+  /// What the step before was about, and what this one is.
+  std::optional<MeantThings> last_;
+  MeantThings current_;
+  /// What a clause beside the request is about: its subject, and all of its things.
+  std::optional<MeantThings> subject_;
+  MeantThings of_whole_clause_;
+};
+
+} // namespace castor::communication

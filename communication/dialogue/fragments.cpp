@@ -1,0 +1,115 @@
+#include "castor/communication/dialogue/fragments.hpp"
+
+#include "castor/communication/dialogue/content.hpp"
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/substitution.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace castor::communication {
+
+std::string append(LogicalForm& form, const LogicalForm& other, Antecedents& antecedents,
+                   const Antecedents& others) {
+  std::string prefix = "n";
+  auto is_taken = [&] {
+    return std::ranges::any_of(form.nominals,
+                               [&](auto& x) { return x.name.starts_with(prefix + '-'); });
+  };
+  while (is_taken())
+    prefix += 'n';
+  prefix += '-';
+  for (auto x : other.nominals) {
+    x.name = prefix + x.name;
+    for (auto& relation : x.relations)
+      relation.dependent = prefix + relation.dependent;
+    form.nominals.push_back(std::move(x));
+  }
+  for (auto& [name, proxies] : others)
+    antecedents.insert_or_assign(prefix + name, proxies);
+  return prefix + other.root;
+}
+
+bool clarify(CompleteMove& question, const std::string& nominal, const LogicalForm& said,
+             const Antecedents& antecedents, const Vocabulary& vocabulary) {
+  const auto name = append(question.move.content, said, question.antecedents, antecedents);
+  auto* asked = find_nominal(question.move.content, nominal);
+  const auto* fragment = find_nominal(question.move.content, name);
+  if (asked == nullptr || fragment == nullptr || fragment->sort != "thing")
+    return false;
+  // "This one."
+  const std::string at{pointed_at};
+  if (auto shown = question.antecedents.find(name + at); shown != question.antecedents.end()) {
+    question.antecedents.insert_or_assign(nominal + at, shown->second);
+    return true;
+  }
+  if (is_pronoun(*fragment))
+    return false;
+  // What "this" is has been said now.
+  if (is_pronoun(*asked)) {
+    asked->proposition = fragment->proposition == "one" ? "thing" : fragment->proposition;
+    asked->features = fragment->features;
+  } else if (!vocabulary.is_general(fragment->proposition))
+    asked->proposition = fragment->proposition;
+  for (auto& relation : fragment->relations)
+    if (relation.mode != "InsteadOf")
+      asked->relations.push_back(relation);
+  return true;
+}
+
+bool substitute(CompleteMove& question, const LogicalForm& said, const Antecedents& antecedents,
+                const Vocabulary& vocabulary) {
+  auto& form = question.move.content;
+  const auto name = append(form, said, question.antecedents, antecedents);
+  const auto* fragment = find_nominal(form, name);
+  return fragment != nullptr && substitute_fragment(form, *fragment, vocabulary);
+}
+
+bool correct_number(CompleteMove& statement, const LogicalForm& said,
+                    const Antecedents& antecedents) {
+  const auto* fragment = find_nominal(said, said.root);
+  const auto* number = fragment == nullptr ? nullptr : dependent(said, *fragment, "Quantity");
+  const auto* root = find_nominal(statement.move.content, statement.move.content.root);
+  const auto* topic =
+    root == nullptr ? nullptr : dependent(statement.move.content, *root, "Subject");
+  const auto* old =
+    topic == nullptr ? nullptr : dependent(statement.move.content, *topic, "Quantity");
+  const bool is_alone = fragment != nullptr && fragment->proposition == "one" &&
+                        fragment->sort == "thing" && fragment->relations.size() == 1 &&
+                        !is_definite(*fragment);
+  if (!is_alone || number == nullptr || old == nullptr || is_negated(*root))
+    return false;
+  const auto from = old->name;
+  const auto subject = topic->name;
+  const bool is_several = is_plural(*fragment);
+  const auto name =
+    append(statement.move.content, part_of(said, number->name), statement.antecedents, antecedents);
+  for (auto& x : find_nominal(statement.move.content, subject)->relations)
+    if (x.dependent == from)
+      x.dependent = name;
+  for (auto& x : find_nominal(statement.move.content, subject)->features)
+    if (x.name == "Number")
+      x.value = is_several ? "pl" : "sg";
+  return true;
+}
+
+LogicalForm repeated(LogicalForm request, std::string_view more) {
+  constexpr std::array<std::string_view, 4> sides{"left", "right", "front", "back"};
+  const auto* root = find_nominal(request, request.root);
+  const auto* destination = root == nullptr ? nullptr : dependent(request, *root, "Destination");
+  if (destination == nullptr || dependent(request, *destination, "Anchor") != nullptr ||
+      more == "again")
+    return request;
+  auto& region = *find_nominal(request, destination->name);
+  const auto side = region.proposition.substr(region.proposition.find('-') + 1);
+  if (std::ranges::find(sides, side) == sides.end())
+    return request;
+  region.proposition = "further-" + side;
+  std::erase_if(region.features, [](auto& x) { return x.name == "Degree"; });
+  region.features.push_back({"Degree", std::string{more}});
+  return request;
+}
+
+} // namespace castor::communication

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "castor/communication/dialogue/salience.hpp"
+#include "castor/communication/dialogue/vocabulary.hpp"
+#include "castor/communication/types.hpp"
+
+#include <string>
+#include <string_view>
+
+/// What fragments make of what was said before.
+namespace castor::communication {
+
+/// A move with all that it leaves to what was said before.
+struct CompleteMove {
+  DialogueMove move;
+  Antecedents antecedents;
+};
+
+/// Adds the nominals of another form, under names that the form does not have yet.
+/// \returns the new name of the other form's root
+std::string append(LogicalForm& form, const LogicalForm& other, Antecedents& antecedents,
+                   const Antecedents& others);
+
+/// What was meant, once somebody has said "the red one" to "which ball do you mean?": it is the
+/// ball that was spoken of, and red.
+/// \returns false if the fragment does not tell
+bool clarify(CompleteMove& question, const std::string& nominal, const LogicalForm& said,
+             const Antecedents& antecedents, const Vocabulary& vocabulary);
+
+/// "And the disc?" after "what colour is the ball?": the disc in the place of the ball.
+/// \returns false if nothing can be in its place
+bool substitute(CompleteMove& question, const LogicalForm& said, const Antecedents& antecedents,
+                const Vocabulary& vocabulary);
+
+/// "There are two yellow cubes." "Sorry, only one."
+/// \returns whether a number is put in the place of another
+bool correct_number(CompleteMove& statement, const LogicalForm& said,
+                    const Antecedents& antecedents);
+
+/// "A bit more", "again": what was asked for before, and further where it was to a side.
+/// \param more as in the lexicon: small, more, or again
+LogicalForm repeated(LogicalForm request, std::string_view more);
+
+} // namespace castor::communication
