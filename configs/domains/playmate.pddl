@@ -28,8 +28,8 @@
     ; The goal does not speak of it: no places are chosen in that relation, and nothing is put where
     ; something was before.
     (unasked ?r - relation) (unwanted ?w - waypoint)
-    ; Things that nothing can stand on.
-    (no-flat-top ?t - thing))
+    ; Things that nothing can stand on, or is to; and things that are not to be touched.
+    (no-flat-top ?t - thing) (kept ?t - thing))
 
   (:derived (taken ?w - waypoint) (exists (?t - thing) (= (pos ?t) ?w)))
   (:derived (held ?t - thing) (= (pos ?t) hand))
@@ -58,6 +58,7 @@
   (:action move
     :agent (?a - agent) :parameters (?t - thing ?to - waypoint)
     :precondition (and (K ?a (pos ?t)) (not (taken ?to)) (not (loaded ?t)) (not (hampered ?t))
+                       (or (= (pos ?t) hand) (not (kept ?t)))
                        (not (= ?to hand)) (or (chosen ?to) (and (used ?to) (not (unwanted ?to))))
                        (or (= (pos ?t) hand) (not (taken hand))))
     :effect (and (forall (?w - waypoint)
@@ -70,7 +71,8 @@
                  (assign (pos ?t) ?to)))
   (:action take
     :agent (?a - agent) :parameters (?t - thing)
-    :precondition (and (K ?a (pos ?t)) (not (taken hand)) (not (loaded ?t)) (not (hampered ?t)))
+    :precondition (and (K ?a (pos ?t)) (not (taken hand)) (not (loaded ?t)) (not (hampered ?t))
+                       (not (kept ?t)))
     :effect (and (forall (?w - waypoint)
                    (and (when (= (pos ?t) ?w) (used ?w))
                         (not (wp-left-of ?w ?t)) (not (wp-right-of ?w ?t)) (not (wp-front-of ?w ?t))
@@ -81,7 +83,7 @@
                  (assign (pos ?t) hand)))
   (:action push
     :agent (?a - agent) :parameters (?t - thing)
-    :precondition (and (K ?a (pos ?t)) (not (taken hand)) (not (loaded ?t)))
+    :precondition (and (K ?a (pos ?t)) (not (taken hand)) (not (loaded ?t)) (not (kept ?t)))
     :effect (pushed ?t))
 
   ; A waypoint that nothing has been at is chosen.

@@ -22,6 +22,10 @@ enum class TableWish {
   go_on,
   /// Something is only asked.
   answer,
+  /// Things are not to be touched, nothing is to be put on them, and both is allowed again.
+  keep,
+  keep_clear,
+  allow,
   /// It is impossible.
   refusal
 };

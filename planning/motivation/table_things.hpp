@@ -46,6 +46,9 @@ struct TableThing {
   std::string waypoint_at_first = {};
   /// That of `waypoint_before`; without a name if there is none.
   TableSpot spot_before = {};
+  /// Somebody has said that it is not to be touched, or that nothing is to be put on it.
+  bool is_kept = false;
+  bool is_kept_clear = false;
 
   bool was_moved() const { return !waypoint_before.empty(); }
 };

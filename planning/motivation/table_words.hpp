@@ -45,6 +45,13 @@ inline constexpr std::pair<std::string_view, std::string_view> part_words[] = {
   {"aside", "aside"},
   {"at-hand", "near you"}};
 
+/// How several things stand.
+inline constexpr std::pair<std::string_view, std::string_view> arrangement_words[] = {
+  {"in-row", "in a row"},
+  {"in-column", "one behind the other"},
+  {"in-ring", "in a circle"},
+  {"apart", "farther apart"}};
+
 /// How far things go that are put further to a side, metres.
 struct Shift {
   std::string_view relation;

@@ -21,7 +21,9 @@ RememberedTable TableMemory::remembered() const {
                           x.on,
                           x.former_proxies,
                           x.waypoint_before_goal,
-                          x.waypoint_at_first};
+                          x.waypoint_at_first,
+                          x.is_kept,
+                          x.is_kept_clear};
     for (const auto& [kind, value] : x.seen.qualities)
       thing.qualities.push_back({kind, value});
     result.things.push_back(std::move(thing));
@@ -53,7 +55,7 @@ void TableMemory::recall(const RememberedTable& x) {
       seen.qualities.emplace(quality.kind, quality.value);
     things_.push_back({thing.name, std::move(seen), thing.waypoint, thing.waypoint_before,
                        thing.is_held, thing.on, thing.former_proxies, thing.waypoint_before_goal,
-                       thing.waypoint_at_first});
+                       thing.waypoint_at_first, thing.is_kept, thing.is_kept_clear});
   }
   for (auto& y : things_)
     if (thing(y.on) == nullptr)

@@ -170,6 +170,8 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
     thing.y = x.seen.place.y;
     thing.radius = x.seen.radius;
     thing.waypoint_at_first = x.waypoint_at_first;
+    thing.is_kept = x.is_kept;
+    thing.is_kept_clear = x.is_kept_clear;
     if (const auto* before = place(x.waypoint_before))
       thing.spot_before = {x.waypoint_before, before->x, before->y};
     for (const auto& at : places)
@@ -197,6 +199,16 @@ AchieveGoal TableMemory::begin(const TableGoal& goal) {
   for (std::size_t i = 0; i < goal.new_places; ++i)
     result.objects.push_back({"place-" + std::to_string(next_waypoint_++), "waypoint"});
   return result;
+}
+
+void TableMemory::keep(const TableGoal& goal) {
+  for (auto& x : things_) {
+    if (std::ranges::find(goal.things, x.seen.proxy) == goal.things.end())
+      continue;
+    const bool is_allowed = goal.wish == TableWish::allow;
+    x.is_kept = !is_allowed && (x.is_kept || goal.wish == TableWish::keep);
+    x.is_kept_clear = !is_allowed && (x.is_kept_clear || goal.wish == TableWish::keep_clear);
+  }
 }
 
 bool TableMemory::is_free(const std::string& waypoint, std::string_view goal) const {
@@ -234,7 +246,9 @@ void TableMemory::tell_place(const std::string& waypoint, const WantedPlace& pla
 void TableMemory::tell_thing(const Thing& x, StateReply& reply) const {
   reply.objects.push_back({x.name, "thing"});
   reply.facts.push_back("(= (pos " + x.name + ") " + (x.is_held ? "hand" : x.waypoint) + ')');
-  if (quality(x.seen, "shape") == "sphere")
+  if (x.is_kept)
+    reply.facts.push_back("(kept " + x.name + ')');
+  if (quality(x.seen, "shape") == "sphere" || x.is_kept_clear || x.is_kept)
     reply.facts.push_back("(no-flat-top " + x.name + ')');
   if (!x.is_held)
     reply.objects.push_back({x.waypoint, "waypoint"});

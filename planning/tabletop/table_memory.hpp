@@ -56,6 +56,9 @@ public:
     std::string waypoint_before_goal = {};
     /// Where it was before it was moved for the first time; empty if it was not moved.
     std::string waypoint_at_first = {};
+    /// Somebody has said that it is not to be touched, or that nothing is to be put on it.
+    bool is_kept = false;
+    bool is_kept_clear = false;
   };
 
   /// @param agent who acts, and nouns by shapes: "ball" for "sphere"
@@ -80,6 +83,9 @@ public:
   std::vector<TableThing> things(const std::vector<ThingAtPlace>& places) const;
   /// Begins a goal: forgets what was chosen for another, and reserves its new places.
   AchieveGoal begin(const TableGoal& goal);
+  /// Things are not to be touched from now on, nothing is to be put on them, or both is allowed, as
+  /// the goal says.
+  void keep(const TableGoal& goal);
 
   // -- for the planner
 

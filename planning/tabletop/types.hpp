@@ -68,6 +68,9 @@ struct RememberedThing {
   std::vector<std::string> former_proxies;
   std::string waypoint_before_goal;
   std::string waypoint_at_first;
+  /// Not to be touched; nothing is to be put on it.
+  bool is_kept = false;
+  bool is_kept_clear = false;
 
   friend bool operator==(const RememberedThing&, const RememberedThing&) = default;
 };
@@ -143,7 +146,7 @@ CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopp
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
                waypoint_before, is_held, on, former_proxies, waypoint_before_goal,
-               waypoint_at_first)
+               waypoint_at_first, is_kept, is_kept_clear)
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
 CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint)

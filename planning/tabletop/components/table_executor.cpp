@@ -68,6 +68,12 @@ class TableExecutor final : public KnowsTable {
         formula += "(in-part x " + place.relation + ')';
     const auto things = memory_.things(places(parts_in(formula)));
     auto goal = goal_of(step, things);
+    if (request.begins && (goal.wish == TableWish::keep || goal.wish == TableWish::keep_clear ||
+                           goal.wish == TableWish::allow)) {
+      memory_.keep(goal);
+      remember();
+      return {goal.words, {}, {}, {}, std::move(goal.things)};
+    }
     if (goal.wish != TableWish::goal)
       return {goal.words, {}, {}, {}, {}};
     auto reached = request.begins ? memory_.begin(goal) : AchieveGoal{goal.formula};

@@ -7,6 +7,7 @@
 #include "castor/planning/tabletop/types.hpp"
 #include "castor/wm/entries/failure.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <deque>
@@ -111,8 +112,10 @@ class TableMotives final : public HearsRequests {
         debug("after the last step it waits anyway"); // "Take the ball and wait."
       else if (x.action == "GoOn")
         resume_arm(referents.move);
-      else if (x.action == "WhereWas")
+      else if (x.action == "WhereWas" || x.action == "WhichMoved")
         reply(referents.move, MotiveReply::done, goal_of({x, false}).refusal);
+      else if (x.action == "Forbid" || x.action == "Allow")
+        restrain(referents.move, x);
       else
         steps.push_back({referents.move, x});
     if (steps.empty())
@@ -123,6 +126,20 @@ class TableMotives final : public HearsRequests {
     if (has_to_wait)
       reply(referents.move, MotiveReply::accepted, "I will do that then.");
     remember();
+  }
+
+  /// Something is not to be touched, or may be again. What is done with it now ends.
+  void restrain(const EntryPointer<DialogueMove>& move, const communication::DirectiveStep& step) {
+    const auto& busy_with = queue_.steps().current.what.things;
+    const bool is_busy_with_it =
+      step.action == "Forbid" && queue_.is_busy() &&
+      std::ranges::any_of(step.things, [&](const std::string& x) {
+        return std::ranges::find(busy_with, x) != busy_with.end();
+      });
+    if (is_busy_with_it)
+      end(move);
+    const auto told = goal_of({step, true});
+    reply(move, told.things.empty() ? MotiveReply::impossible : MotiveReply::done, told.refusal);
   }
 
   void end(const EntryPointer<DialogueMove>& move) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -228,6 +229,71 @@ TEST(TableGoals, AThingCanBeReferredToByAProxyThatItHadBefore) {
   EXPECT_EQ(goal_of({"Take", {"p/old"}, 0, {}, {}}, things).words, "take the red ball");
   EXPECT_EQ(refused({"Take", {"p/other"}, 0, {}, {}}, things),
             "I do not see all of that any more.");
+}
+
+TEST(TableGoals, WhatIsNotToBeTouchedIsLeftOut) {
+  auto things = table;
+  things[0].is_kept = true;
+  EXPECT_EQ(refused({"Take", {"p/a"}, 0, {}, {}}, things),
+            "I am not to touch the red ball. Tell me that I may touch it again.");
+  const auto both = goal_of({"Put", {"p/a", "p/b"}, 0, {{"left", {}}}, {}}, things);
+  EXPECT_EQ(both.formula, "(and (in-part b left))");
+  EXPECT_EQ(both.words, "put the blue ball on the left, but not the red ball");
+  // "One of the balls" is the other one.
+  EXPECT_EQ(goal_of({"Take", {"p/a", "p/b"}, 1, {}, {}}, things).formula, "(and (held b))");
+  EXPECT_EQ(goal_of({"Clear", {}, 0, {{"left", {}}}, {}}, things).formula,
+            "(and (in-part c right))");
+  EXPECT_EQ(refused({"Swap", {"p/a", "p/b"}, 0, {}, {}}, things),
+            "I am not to touch the red ball. Tell me that I may touch it again.");
+  EXPECT_EQ(refused({"Put", {"p/b"}, 0, {{"where", {"p/a"}}}, {}}, things),
+            "I am not to touch the red ball.");
+  // What is held already can be put down.
+  things[0].is_held = true;
+  EXPECT_EQ(goal_of({"PutDown", {}, 0, {}, {}}, things).wish, TableWish::goal);
+}
+
+TEST(TableGoals, NothingIsPutOnWhatIsToBeKeptClear) {
+  auto things = table;
+  things[2].is_kept_clear = true;
+  EXPECT_EQ(refused({"Put", {"p/a"}, 0, {{"on", {"p/c"}}}, {}}, things),
+            "I am to put nothing on the red box. Tell me that I may touch it again.");
+  EXPECT_EQ(goal_of({"Take", {"p/c"}, 0, {}, {}}, things).wish, TableWish::goal);
+}
+
+TEST(TableGoals, ProhibitionsAreNoGoals) {
+  const auto keep = goal_of({"Forbid", {"p/a", "p/b"}, 0, {}, {}}, table);
+  EXPECT_EQ(keep.wish, TableWish::keep);
+  EXPECT_EQ(keep.words, "I will not touch the red ball and the blue ball.");
+  EXPECT_EQ(keep.things, (std::vector<std::string>{"p/a", "p/b"}));
+  const auto clear = goal_of({"Forbid", {"p/c"}, 0, {{"on", {}}}, {}}, table);
+  EXPECT_EQ(clear.wish, TableWish::keep_clear);
+  EXPECT_EQ(clear.words, "I will put nothing on the red box.");
+  EXPECT_EQ(refused({"Allow", {"p/a"}, 0, {}, {}}),
+            "I was not told to keep away from the red ball.");
+  auto things = table;
+  things[0].is_kept = true;
+  EXPECT_EQ(goal_of({"Allow", {"p/a"}, 0, {}, {}}, things).wish, TableWish::allow);
+}
+
+TEST(TableGoals, FurtherByALengthIsThatFar) {
+  const auto goal = goal_of({"Put", {"p/b"}, 0, {{"further-left", {}, 0.1}}, {}}, table);
+  ASSERT_EQ(goal.spots.size(), 1U);
+  EXPECT_NEAR(goal.spots.front().x, 0.0, 1e-9);
+  EXPECT_EQ(goal.words, "put the blue ball 10 centimetres further left");
+}
+
+TEST(TableGoals, SaysWhatWasMoved) {
+  EXPECT_EQ(goal_of({"WhichMoved", {}, 0, {}, {}}, table).words, "I have moved the red box.");
+  EXPECT_EQ(goal_of({"WhichMoved", {}, 0, {}, {}}, std::span{table}.first(2)).words,
+            "I have moved nothing.");
+}
+
+TEST(TableGoals, ThingsOfARowHaveASpotEach) {
+  const auto goal = goal_of({"Put", {"p/a", "p/b", "p/c"}, 0, {{"in-row", {}}}, {}}, table);
+  EXPECT_EQ(goal.words, "put the red ball, the blue ball and the red box in a row");
+  EXPECT_EQ(goal.formula, "(and (= (pos a) spot-of-a) (= (pos b) spot-of-b) (= (pos c) spot-of-c))");
+  EXPECT_EQ(goal.spots.size(), 3U);
+  EXPECT_EQ(refused({"Put", {"p/a"}, 0, {{"in-row", {}}}, {}}), "That takes two things at least.");
 }
 
 } // namespace castor::planning

@@ -275,6 +275,35 @@ TEST_F(TableMemoryTest, GivesSpotsOfAGoalWaypointsThatAreFreeForTheirThings) {
   EXPECT_THAT(facts("(and (= (pos p2) place-3))"), Not(Contains("(used place-3)")));
 }
 
+TEST_F(TableMemoryTest, KnowsWhatIsNotToBeTouched) {
+  TableGoal goal;
+  goal.wish = TableWish::keep;
+  goal.things = {"p2"};
+  memory.keep(goal);
+  EXPECT_THAT(facts(), Contains("(kept p2)"));
+  EXPECT_THAT(facts(), Contains("(no-flat-top p2)"));
+  EXPECT_THAT(facts(), Not(Contains("(kept p1)")));
+  TableMemory successor{"robot"};
+  successor.recall(memory.remembered());
+  EXPECT_TRUE(successor.things({}).back().is_kept);
+  // It is the same thing when it is seen anew.
+  successor.see({ball, seen_as(box, "o3", {0.11, 0.0})});
+  EXPECT_TRUE(successor.things({}).back().is_kept);
+  goal.wish = TableWish::allow;
+  memory.keep(goal);
+  EXPECT_THAT(facts(), Not(Contains("(kept p2)")));
+  EXPECT_THAT(facts(), Not(Contains("(no-flat-top p2)")));
+}
+
+TEST_F(TableMemoryTest, KnowsWhatNothingIsToBePutOn) {
+  TableGoal goal;
+  goal.wish = TableWish::keep_clear;
+  goal.things = {"p2"};
+  memory.keep(goal);
+  EXPECT_THAT(facts(), Contains("(no-flat-top p2)"));
+  EXPECT_THAT(facts(), Not(Contains("(kept p2)")));
+}
+
 } // namespace
 
 } // namespace castor::planning

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "castor/planning/motivation/table_things.hpp"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace castor::planning {
+
+/// Whether places of several things are meant together: in-row, in-column, in-ring, apart.
+bool is_arrangement(std::string_view relation);
+
+/// Places for all of some things, so that they stand in a row from left to right, in a column, in a
+/// ring, or farther from each other. Each keeps its rank among the others, and they go no farther
+/// than they have to; where others stand, none is put.
+///
+/// @param things two at least, of `table`
+/// @returns a spot for each of the things, "spot-of-" and its object; none if there is no room
+std::vector<TableSpot> arranged(std::string_view arrangement,
+                                const std::vector<const TableThing*>& things,
+                                std::span<const TableThing> table);
+
+} // namespace castor::planning

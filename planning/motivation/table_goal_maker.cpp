@@ -1,0 +1,272 @@
+#include "castor/planning/motivation/table_goal_maker.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <utility>
+
+namespace castor::planning {
+
+TableGoal refusal(std::string words) {
+  return {TableWish::refusal, {}, {}, 0, std::move(words)};
+}
+
+std::string listed(const std::vector<const TableThing*>& things) {
+  std::string result;
+  for (std::size_t i = 0; i < things.size(); ++i)
+    result += (i == 0 ? "" : i + 1 == things.size() ? " and " : ", ") + things[i]->words;
+  return result;
+}
+
+std::string are(const std::vector<const TableThing*>& things) {
+  return things.size() == 1 ? " is" : " are";
+}
+
+std::string sentence(std::string words) {
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words + '.';
+}
+
+TableGoalMaker::TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table)
+  : step_(step), table_(table) {
+  for (const auto& proxy : step.things)
+    if (const auto* x = thing(proxy))
+      things_.push_back(x);
+}
+
+TableGoal TableGoalMaker::make() {
+  const auto& action = step_.action;
+  if (action == "Stop")
+    return {TableWish::stop, {}, {}, 0, "stop"};
+  if (action == "Wait")
+    return {TableWish::wait, {}, {}, 0, "wait"};
+  if (action == "GoOn")
+    return {TableWish::go_on, {}, {}, 0, "go on"};
+  if (things_.size() < step_.things.size())
+    return refusal("I do not see all of that any more.");
+  if (action == "WhereWas")
+    return where_was();
+  if (action == "WhichMoved")
+    return which_moved();
+  if (action == "Forbid" || action == "Allow")
+    return manage();
+  return leave_kept();
+}
+
+/// What may be done, and what may not.
+TableGoal TableGoalMaker::manage() {
+  if (step_.action == "Allow") {
+    const bool was_kept = std::ranges::any_of(
+      things_, [](const auto* x) { return x->is_kept || x->is_kept_clear; });
+    if (!was_kept)
+      return refusal("I was not told to keep away from " + listed(things_) + '.');
+    return {TableWish::allow, {}, {}, 0, "Then I may touch " + listed(things_) + " again.", {}, {},
+            proxies()};
+  }
+  if (!step_.places.empty())
+    return {TableWish::keep_clear, {}, {}, 0, "I will put nothing on " + listed(things_) + '.', {},
+            {}, proxies()};
+  return {TableWish::keep, {}, {}, 0, "I will not touch " + listed(things_) + '.', {}, {},
+          proxies()};
+}
+
+/// Of several things those that are not to be touched are left out.
+TableGoal TableGoalMaker::leave_kept() {
+  const bool is_about_two = step_.action == "Swap";
+  const auto all = things_;
+  std::erase_if(things_, [&](const auto* x) {
+    const bool is_kept = x->is_kept && !x->is_held;
+    if (is_kept)
+      kept_.push_back(x);
+    return is_kept;
+  });
+  const auto wanted = step_.number > 0 ? static_cast<std::size_t>(step_.number) : std::size_t{1};
+  if (!kept_.empty() && (is_about_two || things_.size() < wanted))
+    return refusal_for_kept();
+  // Any of the others will do.
+  if (step_.number > 0)
+    kept_.clear();
+  return handle();
+}
+
+TableGoal TableGoalMaker::refusal_for_kept() const {
+  return refusal("I am not to touch " + listed(kept_) + ". Tell me that I may touch " +
+                 (kept_.size() == 1 ? "it" : "them") + " again.");
+}
+
+std::string TableGoalMaker::but_what_is_kept() const {
+  return kept_.empty() ? std::string{} : ", but not " + listed(kept_);
+}
+
+TableGoal TableGoalMaker::handle() {
+  const auto& action = step_.action;
+  if (action == "Clear")
+    return clear();
+  if (action == "Sort")
+    return sort();
+  if (action == "Swap")
+    return swap();
+  if (action == "PutBack")
+    return put_back();
+  if (action == "Undo")
+    return undo();
+  if (action == "Restore")
+    return restore();
+  if (action == "PutDown")
+    return put_down();
+  if (!step_.places.empty())
+    return put();
+  if (action == "Take")
+    return each("held", "take");
+  if (action == "Give")
+    return give();
+  return action == "Push" ? each("pushed", "push") : refusal("I do not know how to do that.");
+}
+
+const TableThing* TableGoalMaker::thing(const std::string& proxy) const {
+  auto found = std::ranges::find(table_, proxy, &TableThing::proxy);
+  if (found == table_.end())
+    found = std::ranges::find_if(table_, [&](const TableThing& x) {
+      return std::ranges::find(x.former_proxies, proxy) != x.former_proxies.end();
+    });
+  return found == table_.end() ? nullptr : &*found;
+}
+
+/// @param result a sentence without its full stop
+TableGoal TableGoalMaker::goal(std::string words, std::string result) {
+  if (facts_.empty())
+    return refusal("There is nothing to do.");
+  std::string formula = "(and";
+  for (const auto& x : facts_)
+    formula += ' ' + x;
+  std::ranges::sort(parts_);
+  parts_.erase(std::ranges::unique(parts_).begin(), parts_.end());
+  return {TableWish::goal,   formula + ')',    std::move(parts_),
+          places_ + 1,       std::move(words), sentence(std::move(result)),
+          std::move(spots_), proxies()};
+}
+
+std::vector<std::string> TableGoalMaker::proxies() const {
+  std::vector<std::string> result;
+  for (const auto* x : things_)
+    result.push_back(x->proxy);
+  return result;
+}
+
+std::string TableGoalMaker::in_part(const TableThing& x, std::string part) {
+  ++places_;
+  parts_.push_back(part);
+  return "(in-part " + x.object + ' ' + std::move(part) + ')';
+}
+
+/// Of "one of the balls", those that are held already, then those that come first.
+void TableGoalMaker::choose() {
+  if (step_.number <= 0)
+    return;
+  std::ranges::stable_partition(things_, [](const auto* x) { return x->is_held; });
+  things_.resize(std::min(things_.size(), static_cast<std::size_t>(step_.number)));
+}
+
+TableGoal TableGoalMaker::each(const std::string& predicate, const std::string& verb) {
+  choose();
+  if (predicate == "held" && things_.size() > 1)
+    return refusal("I can hold one thing only.");
+  for (const auto* x : things_)
+    facts_.push_back('(' + predicate + ' ' + x->object + ')');
+  return goal(verb + ' ' + listed(things_), predicate == "held"
+                                              ? "I hold " + listed(things_) + " now"
+                                              : "I have pushed " + listed(things_));
+}
+
+TableGoal TableGoalMaker::give() {
+  // "Hand it over": what it holds.
+  if (step_.things.empty())
+    hold_held();
+  if (things_.empty())
+    return refusal("I do not hold anything.");
+  choose();
+  // Who speaks sits in front.
+  for (const auto* x : things_)
+    facts_.push_back(in_part(*x, "at-hand"));
+  return goal("give you " + listed(things_), "here you are: " + listed(things_));
+}
+
+void TableGoalMaker::hold_held() {
+  for (const auto& x : table_)
+    if (x.is_held)
+      things_.push_back(&x);
+}
+
+TableGoal TableGoalMaker::put_down() {
+  if (step_.things.empty())
+    hold_held();
+  std::erase_if(things_, [](const auto* x) { return !x->is_held; });
+  if (things_.empty())
+    return refusal(step_.things.empty() ? "I do not hold anything." : "I do not hold that.");
+  for (const auto* x : things_)
+    facts_.push_back(in_part(*x, "table"));
+  return goal("put down " + listed(things_), "I have put down " + listed(things_));
+}
+
+TableGoal TableGoalMaker::swap() {
+  if (things_.size() != 2)
+    return refusal("I can swap two things only.");
+  const auto& a = *things_.front();
+  const auto& b = *things_.back();
+  if (a.is_held || b.is_held)
+    return refusal("I cannot swap what I hold.");
+  facts_ = {"(= (pos " + a.object + ") " + b.waypoint + ')',
+            "(= (pos " + b.object + ") " + a.waypoint + ')'};
+  return goal("swap " + listed(things_), listed(things_) + " have changed places");
+}
+
+/// The part's things go to the other side.
+TableGoal TableGoalMaker::clear() {
+  const auto& part = step_.places.front().relation;
+  const auto other = words_for(opposites, part);
+  if (other.empty())
+    return refusal("I have nowhere else to put the things.");
+  for (const auto& x : table_)
+    if (!x.is_held && std::ranges::find(x.parts, part) != x.parts.end()) {
+      if (x.is_kept)
+        kept_.push_back(&x);
+      else
+        facts_.push_back(in_part(x, std::string{other}));
+    }
+  if (facts_.empty() && !kept_.empty())
+    return refusal_for_kept();
+  if (facts_.empty())
+    return refusal("There is nothing " + std::string{words_for(part_words, part)} + '.');
+  return goal("clear what is " + std::string{words_for(part_words, part)} + but_what_is_kept(),
+              "there is nothing " + std::string{words_for(part_words, part)} + " any more" +
+                (kept_.empty() ? "" : " but " + listed(kept_)));
+}
+
+/// A strip of the table for each value, in the order in which their things lie already.
+TableGoal TableGoalMaker::sort() {
+  std::map<std::string, Things> groups;
+  for (const auto* x : things_) {
+    const auto value = x->qualities.find(step_.by);
+    if (value == x->qualities.end() || value->second.empty() || value->second == "unknown")
+      return refusal("I do not know the " + step_.by + " of " + x->words + '.');
+    groups[value->second].push_back(x);
+  }
+  if (groups.size() < 2)
+    return refusal("They are all of the same " + step_.by + '.');
+  std::vector<std::pair<double, Things>> from_left;
+  for (auto& [value, group] : groups) {
+    double sum = 0;
+    for (const auto* x : group)
+      sum += x->x;
+    from_left.emplace_back(sum / static_cast<double>(group.size()), std::move(group));
+  }
+  std::ranges::stable_sort(from_left, {}, [](const auto& x) { return x.first; });
+  const auto count = std::to_string(from_left.size());
+  for (std::size_t i = 0; i < from_left.size(); ++i)
+    for (const auto* x : from_left[i].second)
+      facts_.push_back(in_part(*x, "strip-" + std::to_string(i + 1) + "-of-" + count));
+  return goal("sort the things by " + step_.by + but_what_is_kept(),
+              "the things are sorted by " + step_.by + " now" + but_what_is_kept());
+}
+
+} // namespace castor::planning

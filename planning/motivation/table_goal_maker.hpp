@@ -1,0 +1,85 @@
+#pragma once
+
+#include "castor/planning/motivation/table_goals.hpp"
+#include "castor/planning/motivation/table_words.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace castor::planning {
+
+/// Makes the goal of one step of a request.
+class TableGoalMaker {
+public:
+  using Things = std::vector<const TableThing*>;
+  using DirectivePlace = communication::DirectivePlace;
+  using DirectiveStep = communication::DirectiveStep;
+
+  /// Both have to outlive it.
+  TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table);
+
+  TableGoal make();
+
+private:
+  const TableThing* thing(const std::string& proxy) const;
+  TableGoal goal(std::string words, std::string result);
+  std::vector<std::string> proxies() const;
+  std::string in_part(const TableThing& x, std::string part);
+  std::string but_what_is_kept() const;
+  TableGoal refusal_for_kept() const;
+
+  TableGoal manage();
+  TableGoal leave_kept();
+  TableGoal handle();
+  void choose();
+  TableGoal each(const std::string& predicate, const std::string& verb);
+  TableGoal give();
+  void hold_held();
+  TableGoal put_down();
+  TableGoal swap();
+  TableGoal clear();
+  TableGoal sort();
+
+  // -- what was before (table_goals_back.cpp)
+  TableGoal put_back();
+  bool has_landmark_that_was_moved() const;
+  TableGoal undo();
+  TableGoal restore();
+  void back_to(const TableThing& x, const std::string& waypoint);
+  std::string it_was() const;
+  TableGoal where_was() const;
+  TableGoal which_moved() const;
+
+  // -- places (table_goals_places.cpp); those with an optional result say why it is impossible
+  TableGoal put();
+  TableGoal arrange(const std::string& arrangement);
+  TableGoal put_where_another_is(const DirectivePlace& place, const std::string& verb);
+  std::optional<std::string> put_further(const Shift& shift, double distance, std::string& where);
+  std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where);
+  std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where);
+  std::optional<std::string> put_on(const Things& landmarks) const;
+
+  const DirectiveStep& step_;
+  std::span<const TableThing> table_;
+  Things things_;
+  /// Those of the step that are not to be touched.
+  Things kept_;
+  std::vector<std::string> facts_;
+  std::vector<std::string> parts_;
+  std::vector<TableSpot> spots_;
+  std::size_t places_ = 0;
+};
+
+TableGoal refusal(std::string words);
+
+/// "The ball, the box and the disc".
+std::string listed(const std::vector<const TableThing*>& things);
+std::string are(const std::vector<const TableThing*>& things);
+
+/// With a capital and a full stop.
+std::string sentence(std::string words);
+
+} // namespace castor::planning

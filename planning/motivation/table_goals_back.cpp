@@ -1,0 +1,91 @@
+#include "castor/planning/motivation/table_goal_maker.hpp"
+#include "castor/planning/motivation/table_places.hpp"
+
+#include <algorithm>
+#include <utility>
+
+/// Goals that are about where things were before.
+namespace castor::planning {
+
+TableGoal TableGoalMaker::put_back() {
+  // Of those that may be meant, the one that was moved.
+  if (step_.number > 0) {
+    const auto moved =
+      std::ranges::find_if(things_, [](const auto* x) { return !x->waypoint_before.empty(); });
+    if (moved == things_.end())
+      return refusal("There is nothing to put back.");
+    things_ = {*moved};
+  }
+  // "In its old place", where "it" may be another thing: that of this one, if it has one.
+  if (things_.size() == 1 && !things_.front()->was_moved() && has_landmark_that_was_moved())
+    return put();
+  // "Both": those that were moved.
+  if (std::ranges::any_of(things_, &TableThing::was_moved))
+    std::erase_if(things_, [](const auto* x) { return !x->was_moved(); });
+  for (const auto* x : things_) {
+    if (x->waypoint_before.empty())
+      return refusal("I do not know where " + x->words + " was before.");
+    facts_.push_back("(= (pos " + x->object + ") " + x->waypoint_before + ')');
+  }
+  return goal("put " + listed(things_) + " back",
+              listed(things_) + are(things_) + " where " + it_was() + " before");
+}
+
+bool TableGoalMaker::has_landmark_that_was_moved() const {
+  if (step_.places.empty() || step_.places.front().landmarks.size() != 1)
+    return false;
+  const auto* x = thing(step_.places.front().landmarks.front());
+  return x != nullptr && x->was_moved();
+}
+
+TableGoal TableGoalMaker::undo() {
+  for (const auto& x : table_)
+    if (!x.waypoint_before_goal.empty() && !x.is_kept)
+      back_to(x, x.waypoint_before_goal);
+  if (things_.empty())
+    return refusal("There is nothing to undo.");
+  return goal("put " + listed(things_) + " back",
+              listed(things_) + are(things_) + " where " + it_was() + " before");
+}
+
+/// Those that were moved, or all, are where they were before anything was done.
+TableGoal TableGoalMaker::restore() {
+  const auto asked = std::exchange(things_, {});
+  for (const auto& x : table_) {
+    const bool is_asked = asked.empty() || std::ranges::find(asked, &x) != asked.end();
+    if (is_asked && !x.is_kept && x.was_moved() && (x.is_held || x.waypoint != x.waypoint_at_first))
+      back_to(x, x.waypoint_at_first);
+  }
+  if (things_.empty())
+    return refusal("I have moved nothing that is not where it was at first.");
+  return goal("put " + listed(things_) + " back where " + it_was() + " at first",
+              listed(things_) + are(things_) + " where " + it_was() + " at first");
+}
+
+void TableGoalMaker::back_to(const TableThing& x, const std::string& waypoint) {
+  things_.push_back(&x);
+  facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
+}
+
+std::string TableGoalMaker::it_was() const { return things_.size() == 1 ? "it was" : "they were"; }
+
+TableGoal TableGoalMaker::where_was() const {
+  std::string result;
+  for (const auto* x : things_)
+    result +=
+      (result.empty() ? "" : " ") +
+      (x->was_moved() ? sentence(x->words + " was " + place_in_words(x->spot_before, *x, table_))
+                      : sentence("I have not moved " + x->words));
+  return {TableWish::answer, {}, {}, 0, std::move(result)};
+}
+
+TableGoal TableGoalMaker::which_moved() const {
+  Things moved;
+  for (const auto& x : table_)
+    if (x.was_moved())
+      moved.push_back(&x);
+  return {TableWish::answer, {}, {}, 0,
+          moved.empty() ? "I have moved nothing." : "I have moved " + listed(moved) + '.'};
+}
+
+} // namespace castor::planning

@@ -1,0 +1,160 @@
+#include "castor/planning/motivation/table_arrangements.hpp"
+#include "castor/planning/motivation/table_goal_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+/// Goals that are about places of things.
+namespace castor::planning {
+
+namespace {
+
+bool is_round(const TableThing& x) {
+  const auto shape = x.qualities.find("shape");
+  return shape != x.qualities.end() && shape->second == "sphere";
+}
+
+} // namespace
+
+TableGoal TableGoalMaker::put() {
+  choose();
+  const auto verb = (step_.action == "Push" ? "push " : "put ") + listed(things_);
+  std::string where;
+  for (const auto& place : step_.places) {
+    if (is_arrangement(place.relation))
+      return arrange(place.relation);
+    if (place.relation == "where" || place.relation == "where-before")
+      return put_where_another_is(place, verb);
+    const auto* shift = std::ranges::find(shifts, place.relation, &Shift::relation);
+    auto problem = shift != std::end(shifts) ? put_further(*shift, place.distance, where)
+                   : place.landmarks.empty() ? put_in_part(place, where)
+                                             : put_at_landmarks(place, where);
+    if (problem)
+      return refusal(*problem);
+  }
+  where += but_what_is_kept();
+  return goal(verb + where, listed(things_) + are(things_) + where + " now");
+}
+
+/// In a row, a column or a ring, or far from each other.
+TableGoal TableGoalMaker::arrange(const std::string& arrangement) {
+  const auto words = std::string{words_for(arrangement_words, arrangement)} + but_what_is_kept();
+  if (things_.size() < 2)
+    return refusal("That takes two things at least.");
+  if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
+    return refusal("I hold " + (*held)->words + ". Tell me to put it down first.");
+  spots_ = arranged(arrangement, things_, table_);
+  if (spots_.empty())
+    return refusal("There is no room to put them " + words +
+                   ". Take something away first, or tell me fewer things.");
+  for (std::size_t i = 0; i < things_.size(); ++i)
+    facts_.push_back("(= (pos " + things_[i]->object + ") " + spots_[i].name + ')');
+  return goal("put " + listed(things_) + ' ' + words,
+              listed(things_) + are(things_) + ' ' + words + " now");
+}
+
+/// In the place of something else, which has to leave it, or where that was before.
+TableGoal TableGoalMaker::put_where_another_is(const DirectivePlace& place,
+                                               const std::string& verb) {
+  const auto* other = place.landmarks.size() == 1 ? thing(place.landmarks.front()) : nullptr;
+  if (other == nullptr)
+    return refusal(place.landmarks.size() == 1 ? "I do not see all of that any more."
+                                               : "It can be in one place only.");
+  if (things_.size() > 1)
+    return refusal("There is room for one thing only.");
+  const auto& x = *things_.front();
+  const bool was = place.relation == "where-before";
+  const auto& waypoint = was ? other->waypoint_before : other->waypoint;
+  if (other->is_kept && !was)
+    return refusal("I am not to touch " + other->words + '.');
+  if (was && waypoint.empty())
+    return refusal("I do not know where " + other->words + " was before.");
+  if (other->is_held && !was)
+    return refusal("I hold " + other->words + ". Tell me to put it down first.");
+  facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
+  ++places_;
+  return goal(verb + " where " + other->words + (was ? " was" : " is"),
+              x.words + " is where " + other->words + " was");
+}
+
+/// \returns why it is impossible
+std::optional<std::string> TableGoalMaker::put_further(const Shift& shift, double distance,
+                                                       std::string& where) {
+  const double length = distance > 0 ? distance / std::hypot(shift.x, shift.y) : 1;
+  for (const auto* x : things_) {
+    if (x->is_held)
+      return "I hold " + x->words + ": tell me where to put it.";
+    TableSpot spot{"spot-of-" + x->object, x->x + length * shift.x, x->y + length * shift.y};
+    for (const auto& other : table_)
+      if (!other.is_held && std::ranges::find(things_, &other) == things_.end() &&
+          std::hypot(other.x - spot.x, other.y - spot.y) < other.radius + x->radius)
+        return sentence(other.words + " is in the way there") + " Take it away first.";
+    facts_.push_back("(= (pos " + x->object + ") " + spot.name + ')');
+    spots_.push_back(std::move(spot));
+  }
+  if (distance > 0)
+    where += ' ' + std::to_string(std::lround(100 * distance)) + " centimetres";
+  where += ' ' + std::string{shift.words};
+  return std::nullopt;
+}
+
+/// \returns why it is impossible
+std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& place,
+                                                       std::string& where) {
+  const auto words = words_for(part_words, place.relation);
+  if (words.empty())
+    return "I do not know where that is: tell me a part of the table, or a thing that is there.";
+  for (const auto* x : things_)
+    facts_.push_back(in_part(*x, place.relation));
+  where += ' ' + std::string{words};
+  return std::nullopt;
+}
+
+std::optional<std::string> TableGoalMaker::put_at_landmarks(const DirectivePlace& place,
+                                                            std::string& where) {
+  const auto* known = std::ranges::find(relation_words, place.relation, &RelationWords::relation);
+  if (known == std::end(relation_words))
+    return "I cannot put things " + place.relation + " others.";
+  Things landmarks;
+  for (const auto& proxy : place.landmarks) {
+    landmarks.push_back(thing(proxy));
+    if (landmarks.back() == nullptr)
+      return "I do not see all of that any more.";
+  }
+  for (const auto* x : things_)
+    if (std::ranges::find(landmarks, x) != landmarks.end())
+      return "I cannot put " + x->words + ' ' + std::string{known->words} + " itself.";
+  where += ' ' + std::string{known->words} + ' ' + listed(landmarks);
+  places_ += things_.size();
+  if (place.relation == "between" && landmarks.size() != 2)
+    return "Between two things, but not between " + std::to_string(landmarks.size()) + '.';
+  if (known->predicate == "on")
+    if (auto problem = put_on(landmarks))
+      return problem;
+  for (const auto* x : things_) {
+    const auto head = '(' + std::string{known->predicate} + ' ' + x->object;
+    if (place.relation == "between")
+      facts_.push_back(head + ' ' + landmarks[0]->object + ' ' + landmarks[1]->object + ')');
+    else
+      for (const auto* landmark : landmarks)
+        facts_.push_back(head + ' ' + landmark->object + ')');
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> TableGoalMaker::put_on(const Things& landmarks) const {
+  if (landmarks.size() > 1)
+    return "It can stand on one thing only.";
+  if (things_.size() > 1)
+    return "There is room for one thing only.";
+  const auto& below = *landmarks.front();
+  if (is_round(below))
+    return sentence(below.words + " is round: nothing stays on it");
+  if (below.is_kept_clear || below.is_kept)
+    return "I am to put nothing on " + below.words + ". Tell me that I may touch it again.";
+  return std::nullopt;
+}
+
+} // namespace castor::planning

@@ -1,0 +1,102 @@
+#include "castor/planning/motivation/table_arrangements.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace castor::planning {
+
+namespace {
+
+TableThing thing_at(const std::string& name, double x, double y) {
+  TableThing result{name, name, "at-" + name, "the " + name, x};
+  result.y = y;
+  return result;
+}
+
+std::vector<const TableThing*> first(const std::vector<TableThing>& table, std::size_t count) {
+  std::vector<const TableThing*> result;
+  for (std::size_t i = 0; i < count; ++i)
+    result.push_back(&table[i]);
+  return result;
+}
+
+double gap(const TableSpot& a, const TableSpot& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+} // namespace
+
+TEST(TableArrangements, ARowKeepsTheOrderFromLeftToRight) {
+  const std::vector table{thing_at("a", 0.1, 0.05), thing_at("b", -0.15, -0.05),
+                          thing_at("c", 0, 0.1)};
+  const auto row = arranged("in-row", first(table, 3), table);
+  ASSERT_EQ(row.size(), 3U);
+  EXPECT_EQ(row[0].name, "spot-of-a");
+  EXPECT_LT(row[1].x, row[2].x);
+  EXPECT_LT(row[2].x, row[0].x);
+  EXPECT_DOUBLE_EQ(row[0].y, row[1].y);
+  EXPECT_DOUBLE_EQ(row[1].y, row[2].y);
+  EXPECT_DOUBLE_EQ(row[2].x - row[1].x, row[0].x - row[2].x);
+}
+
+TEST(TableArrangements, AColumnGoesFromTheFrontToTheBack) {
+  const std::vector table{thing_at("a", 0.1, 0.05), thing_at("b", -0.15, -0.05)};
+  const auto column = arranged("in-column", first(table, 2), table);
+  ASSERT_EQ(column.size(), 2U);
+  EXPECT_DOUBLE_EQ(column[0].x, column[1].x);
+  EXPECT_GT(column[0].y, column[1].y);
+}
+
+TEST(TableArrangements, ARingHasOneDistanceFromItsMiddle) {
+  const std::vector table{thing_at("a", 0.02, 0.0), thing_at("b", -0.02, 0.02),
+                          thing_at("c", 0.0, -0.03), thing_at("d", 0.2, 0.1)};
+  const auto ring = arranged("in-ring", first(table, 3), table);
+  ASSERT_EQ(ring.size(), 3U);
+  EXPECT_NEAR(gap(ring[0], ring[1]), gap(ring[1], ring[2]), 1e-9);
+  EXPECT_NEAR(gap(ring[0], ring[1]), gap(ring[0], ring[2]), 1e-9);
+}
+
+TEST(TableArrangements, ThingsThatAreSpreadAreFartherFromEachOther) {
+  const std::vector table{thing_at("a", -0.05, 0.0), thing_at("b", 0.05, 0.0)};
+  const auto spread = arranged("apart", first(table, 2), table);
+  ASSERT_EQ(spread.size(), 2U);
+  EXPECT_NEAR(gap(spread[0], spread[1]), 0.2, 1e-9);
+}
+
+TEST(TableArrangements, ThereMayBeNoRoom) {
+  std::vector<TableThing> table;
+  for (int i = 0; i < 12; ++i)
+    table.push_back(thing_at("t" + std::to_string(i), -0.25 + 0.1 * (i % 6), -0.1 + 0.2 * (i / 6)));
+  EXPECT_TRUE(arranged("in-row", first(table, 12), table).empty());
+}
+
+/// On random tables: where there is a place for all, none is put where another thing stands.
+TEST(TableArrangements, NothingIsPutWhereAnotherThingStands) {
+  std::mt19937 random{5};
+  std::uniform_real_distribution<double> across{-0.25, 0.25};
+  std::uniform_real_distribution<double> along{-0.15, 0.15};
+  std::size_t found = 0;
+  for (int run = 0; run < 200; ++run) {
+    std::vector<TableThing> table;
+    for (int i = 0; i < 6; ++i)
+      table.push_back(thing_at("t" + std::to_string(i), across(random), along(random)));
+    const auto things = first(table, 3);
+    for (const auto* arrangement : {"in-row", "in-column", "in-ring", "apart"}) {
+      const auto spots = arranged(arrangement, things, table);
+      found += spots.empty() ? 0 : 1;
+      for (std::size_t i = 0; i < spots.size(); ++i)
+        for (const auto& other : table)
+          if (&other != things[i]) {
+            EXPECT_GT(std::hypot(other.x - spots[i].x, other.y - spots[i].y),
+                      other.radius + things[i]->radius);
+          }
+    }
+  }
+  EXPECT_GT(found, 300U);
+}
+
+} // namespace castor::planning
