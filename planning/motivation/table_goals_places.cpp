@@ -34,13 +34,13 @@ TableGoal TableGoalMaker::put() {
     if (problem)
       return refusal(*problem);
   }
-  where += but_what_is_kept();
-  return goal(verb + where, listed(things_) + are(things_) + where + " now");
+  return goal(verb + where + but_what_is_kept(),
+              listed(things_) + are(things_) + where + " now" + but_what_is_kept());
 }
 
 /// In a row, a column or a ring, or far from each other.
 TableGoal TableGoalMaker::arrange(const std::string& arrangement) {
-  const auto words = std::string{words_for(arrangement_words, arrangement)} + but_what_is_kept();
+  const auto words = std::string{words_for(arrangement_words, arrangement)};
   if (things_.size() < 2)
     return refusal("That takes two things at least.");
   if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
@@ -51,8 +51,8 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement) {
                    ". Take something away first, or tell me fewer things.");
   for (std::size_t i = 0; i < things_.size(); ++i)
     facts_.push_back("(= (pos " + things_[i]->object + ") " + spots_[i].name + ')');
-  return goal("put " + listed(things_) + ' ' + words,
-              listed(things_) + are(things_) + ' ' + words + " now");
+  return goal("put " + listed(things_) + ' ' + words + but_what_is_kept(),
+              listed(things_) + are(things_) + ' ' + words + " now" + but_what_is_kept());
 }
 
 /// In the place of something else, which has to leave it, or where that was before.

@@ -1,5 +1,7 @@
 #include "castor/planning/tabletop/goal_text.hpp"
 
+#include "castor/planning/motivation/table_arrangements.hpp"
+
 #include <set>
 
 namespace castor::planning {
@@ -26,7 +28,8 @@ std::vector<std::string> parts_in(std::string_view goal) {
     auto part = std::string{goal.substr(begin + 1, end - begin - 1)};
     // That it was given to somebody, too, is known by what was done.
     if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand" &&
-        !part.starts_with("further-") && !part.starts_with("slightly-"))
+        !part.starts_with("further-") && !part.starts_with("slightly-") && part != "on" &&
+        !is_arrangement(part))
       result.insert(std::move(part));
   }
   return {result.begin(), result.end()};

@@ -19,4 +19,10 @@ TEST(ContainsWord, WholeWordsOnly) {
   EXPECT_TRUE(contains_word("(left-of ball-2 ball)", "ball"));
 }
 
+TEST(GoalText, ArrangementsAndPlacesOnThingsAreNoParts) {
+  EXPECT_THAT(
+    parts_in("(and (in-part a left) (in-part a in-row) (in-part a apart) (in-part a on))"),
+    ElementsAre("left"));
+}
+
 } // namespace castor::planning
