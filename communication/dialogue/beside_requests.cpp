@@ -51,8 +51,8 @@ bool is_clear_request(const PackedLogicalForm& form, bool is_after) {
                                            [](const Nominal& x) { return is_pronoun(x); });
 }
 
-std::optional<PackedLogicalForm> clear_request(Parser& parser, WordList words, const WordList& left_out,
-                                         bool is_after) {
+std::optional<PackedLogicalForm> clear_request(Parser& parser, WordList words,
+                                               const WordList& left_out, bool is_after) {
   if (words.empty() || left_out.empty())
     return std::nullopt;
   auto form = parser.parse_whole(std::move(words));
@@ -70,8 +70,8 @@ std::optional<PackedLogicalForm> without_reason(Parser& parser, const WordList& 
       return clear_request(parser, piece(words, 0, i), piece(words, i, words.size()), false);
     for (std::size_t end = 1; end < words.size(); ++end)
       if (words[end] == ",")
-        if (auto form =
-              clear_request(parser, piece(words, end + 1, words.size()), piece(words, 0, end), true))
+        if (auto form = clear_request(parser, piece(words, end + 1, words.size()),
+                                      piece(words, 0, end), true))
           return form;
   }
   return std::nullopt;
@@ -83,8 +83,8 @@ std::optional<PackedLogicalForm> without_manner(Parser& parser, const WordList& 
   WordList known;
   WordList left_out;
   for (const auto& word : words) {
-    const bool is_manner = word.ends_with("ly") && !lexicon.knows(word) &&
-                           !lexicon.is_in(WordClass::decisive, word);
+    const bool is_manner =
+      word.ends_with("ly") && !lexicon.knows(word) && !lexicon.is_in(WordClass::decisive, word);
     (is_manner ? left_out : known).push_back(word);
   }
   return clear_request(parser, std::move(known), left_out, false);

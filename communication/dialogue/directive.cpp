@@ -27,7 +27,7 @@ bool is_arrangement(std::string_view region) {
 
 /// "Do not touch it", "leave it alone": what it is not to do with a thing at all.
 bool is_about_touching(std::string_view verb) {
-  constexpr std::array<std::string_view, 9> verbs{"touch", "move", "take", "push", "put",
+  constexpr std::array<std::string_view, 9> verbs{"touch", "move",  "take",   "push",  "put",
                                                   "hold",  "reach", "remove", "forbid"};
   return std::ranges::find(verbs, verb) != verbs.end();
 }
@@ -106,8 +106,7 @@ private:
       return;
     const auto truth = meant_.evaluation().clause(*condition);
     if (truth != Truth::yes && scene_.open_questions().empty())
-      throw Uninterpretable{truth == Truth::no ? Reason::not_so : Reason::unknown,
-                            condition->name};
+      throw Uninterpretable{truth == Truth::no ? Reason::not_so : Reason::unknown, condition->name};
     meant_.note_clause(*condition);
   }
 
@@ -121,8 +120,8 @@ private:
     // "Do not put anything on the box."
     if (destination != nullptr) {
       const auto delimited = feature(patient, "Delimitation");
-      const bool is_anything = (delimited == "any" || delimited == "none") &&
-                               vocabulary().is_general(patient.proposition);
+      const bool is_anything =
+        (delimited == "any" || delimited == "none") && vocabulary().is_general(patient.proposition);
       const auto places = places_named(form_, *destination, vocabulary());
       if (!is_anything || places.size() != 1 || places.front().relation != "on" ||
           places.front().landmark == nullptr)
@@ -143,9 +142,7 @@ private:
     return true;
   }
 
-  bool is_part_of_several() const {
-    return find_nominal(form_, form_.root)->sort == "conjunction";
-  }
+  bool is_part_of_several() const { return find_nominal(form_, form_.root)->sort == "conjunction"; }
 
   /// "You may touch the ball again."
   bool is_permission(const Nominal& x) const {

@@ -61,9 +61,9 @@ void DirectiveThings::note_clause(const Nominal& clause) {
       continue;
     if (is_pronoun(*phrase) && !antecedents_.contains(phrase->name))
       continue;
-    auto meant = is_definite_phrase(*phrase) ? MeantThings{evaluation_.meant(*phrase), 0}
-                                             : MeantThings{evaluation_.described(*phrase).best(),
-                                                           is_plural(*phrase) ? 0 : 1};
+    auto meant = is_definite_phrase(*phrase)
+                   ? MeantThings{evaluation_.meant(*phrase), 0}
+                   : MeantThings{evaluation_.described(*phrase).best(), is_plural(*phrase) ? 0 : 1};
     for (const auto& x : meant.things)
       if (std::ranges::find(of_whole_clause_.things, x) == of_whole_clause_.things.end())
         of_whole_clause_.things.push_back(x);

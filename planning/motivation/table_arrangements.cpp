@@ -72,9 +72,8 @@ Offsets in_line(const Things& things, double x, double y) {
 }
 
 Offsets in_ring(const Things& things, const Offset& middle) {
-  const auto rank = ranks(things, [&](const TableThing& t) {
-    return std::atan2(t.y - middle.y, t.x - middle.x);
-  });
+  const auto rank =
+    ranks(things, [&](const TableThing& t) { return std::atan2(t.y - middle.y, t.x - middle.x); });
   const double turn = 2 * std::numbers::pi / static_cast<double>(things.size());
   const double radius = spacing(things) / (2 * std::sin(turn / 2));
   Offsets result;

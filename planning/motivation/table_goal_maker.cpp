@@ -56,16 +56,22 @@ TableGoal TableGoalMaker::make() {
 /// What may be done, and what may not.
 TableGoal TableGoalMaker::manage() {
   if (step_.action == "Allow") {
-    const bool was_kept = std::ranges::any_of(
-      things_, [](const auto* x) { return x->is_kept || x->is_kept_clear; });
+    const bool was_kept =
+      std::ranges::any_of(things_, [](const auto* x) { return x->is_kept || x->is_kept_clear; });
     if (!was_kept)
       return refusal("I was not told to keep away from " + listed(things_) + '.');
     return {TableWish::allow, {}, {}, 0, "Then I may touch " + listed(things_) + " again.", {}, {},
             proxies()};
   }
   if (!step_.places.empty())
-    return {TableWish::keep_clear, {}, {}, 0, "I will put nothing on " + listed(things_) + '.', {},
-            {}, proxies()};
+    return {TableWish::keep_clear,
+            {},
+            {},
+            0,
+            "I will put nothing on " + listed(things_) + '.',
+            {},
+            {},
+            proxies()};
   return {TableWish::keep, {}, {}, 0, "I will not touch " + listed(things_) + '.', {}, {},
           proxies()};
 }
@@ -267,6 +273,10 @@ TableGoal TableGoalMaker::sort() {
       facts_.push_back(in_part(*x, "strip-" + std::to_string(i + 1) + "-of-" + count));
   return goal("sort the things by " + step_.by + but_what_is_kept(),
               "the things are sorted by " + step_.by + " now" + but_what_is_kept());
+}
+
+TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table) {
+  return TableGoalMaker{step, table}.make();
 }
 
 } // namespace castor::planning

@@ -1,13 +1,8 @@
 #include "castor/planning/motivation/table_goals.hpp"
 
-#include "castor/planning/motivation/table_goal_maker.hpp"
 #include "castor/planning/motivation/table_words.hpp"
 
 namespace castor::planning {
-
-TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table) {
-  return TableGoalMaker{step, table}.make();
-}
 
 std::vector<std::string> unasked_relations(std::string_view formula) {
   std::vector<std::string> result;

@@ -67,7 +67,9 @@ void TableGoalMaker::back_to(const TableThing& x, const std::string& waypoint) {
   facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
 }
 
-std::string TableGoalMaker::it_was() const { return things_.size() == 1 ? "it was" : "they were"; }
+std::string TableGoalMaker::it_was() const {
+  return things_.size() == 1 ? "it was" : "they were";
+}
 
 TableGoal TableGoalMaker::where_was() const {
   std::string result;
@@ -84,7 +86,10 @@ TableGoal TableGoalMaker::which_moved() const {
   for (const auto& x : table_)
     if (x.was_moved())
       moved.push_back(&x);
-  return {TableWish::answer, {}, {}, 0,
+  return {TableWish::answer,
+          {},
+          {},
+          0,
           moved.empty() ? "I have moved nothing." : "I have moved " + listed(moved) + '.'};
 }
 

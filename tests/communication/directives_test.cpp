@@ -33,11 +33,12 @@ std::string joined(const std::vector<std::string>& words) {
 /// As in the files: "put 1 of a,b left c".
 std::string shown(const DirectiveStep& x, bool asks_whether_possible) {
   static const std::map<std::string, std::string> names{
-    {"Put", "put"},     {"Take", "take"},       {"PutDown", "down"},      {"Give", "give"},
-    {"Push", "push"},   {"PutBack", "back"},    {"Swap", "swap"},         {"Sort", "sort"},
-    {"Clear", "clear"}, {"Stop", "stop"},       {"Wait", "wait"},         {"GoOn", "go-on"},
-    {"Undo", "undo"},   {"Restore", "restore"}, {"WhereWas", "where-was"}, {"Forbid", "forbid"},
-    {"Allow", "allow"}, {"WhichMoved", "which-moved"}};
+    {"Put", "put"},       {"Take", "take"},       {"PutDown", "down"},
+    {"Give", "give"},     {"Push", "push"},       {"PutBack", "back"},
+    {"Swap", "swap"},     {"Sort", "sort"},       {"Clear", "clear"},
+    {"Stop", "stop"},     {"Wait", "wait"},       {"GoOn", "go-on"},
+    {"Undo", "undo"},     {"Restore", "restore"}, {"WhereWas", "where-was"},
+    {"Forbid", "forbid"}, {"Allow", "allow"},     {"WhichMoved", "which-moved"}};
   auto result = asks_whether_possible ? std::string{"able"} : names.at(x.action);
   if (!x.things.empty())
     result +=

@@ -131,11 +131,10 @@ class TableMotives final : public HearsRequests {
   /// Something is not to be touched, or may be again. What is done with it now ends.
   void restrain(const EntryPointer<DialogueMove>& move, const communication::DirectiveStep& step) {
     const auto& busy_with = queue_.steps().current.what.things;
-    const bool is_busy_with_it =
-      step.action == "Forbid" && queue_.is_busy() &&
-      std::ranges::any_of(step.things, [&](const std::string& x) {
-        return std::ranges::find(busy_with, x) != busy_with.end();
-      });
+    const bool is_busy_with_it = step.action == "Forbid" && queue_.is_busy() &&
+                                 std::ranges::any_of(step.things, [&](const std::string& x) {
+                                   return std::ranges::find(busy_with, x) != busy_with.end();
+                                 });
     if (is_busy_with_it)
       end(move);
     const auto told = goal_of({step, true});
