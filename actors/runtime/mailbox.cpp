@@ -82,21 +82,11 @@ bool PumpedActor::comes_soon(Clock::time_point until) {
 }
 
 bool PumpedActor::await_arrival(Clock::time_point until) {
-  // Without a deadline nothing wakes an idle component.
-  if (until == Clock::time_point::max()) {
-    await_data();
+  if (!mailbox().try_block())
     return true;
-  }
-  // CAF parks on a clock that may be the wall clock: give it a short relative step, so that a jump
-  // of that clock delays nothing for long.
-  constexpr Clock::duration longest_step = std::chrono::seconds{1};
-  for (;;) {
-    auto left = until - Clock::now();
-    if (left <= Clock::duration::zero())
-      return false;
-    if (await_data(timeout_type::clock::now() + std::min(left, longest_step)))
-      return true;
-  }
+  // Something may still arrive at the last moment.
+  return arrival_->wait_while([this] { return mailbox().blocked(); }, until) ||
+         !mailbox().try_unblock();
 }
 
 // -- activity
@@ -132,11 +122,11 @@ bool PumpedActor::park(Clock::time_point until) {
 
 void PumpedActor::enqueue(caf::mailbox_element_ptr x, caf::execution_unit* context) {
   if (!clock_)
-    return blocking_actor::enqueue(std::move(x), context);
+    return deposit(std::move(x), context);
   {
     std::lock_guard guard{parking_mutex_};
     if (!closed_) {
-      blocking_actor::enqueue(std::move(x), context);
+      deposit(std::move(x), context);
       if (std::exchange(parked_, false))
         turn_ = clock_->activity().begin();
       return;
@@ -144,7 +134,25 @@ void PumpedActor::enqueue(caf::mailbox_element_ptr x, caf::execution_unit* conte
   }
   // A closed mailbox answers requests, which must not happen under the mutex: who has asked may be
   // just closing, too.
-  blocking_actor::enqueue(std::move(x), context);
+  deposit(std::move(x), context);
+}
+
+void PumpedActor::deposit(caf::mailbox_element_ptr x, caf::execution_unit* context) {
+  auto id = x->mid;
+  auto asker = id.is_request() ? x->sender : nullptr;
+  switch (mailbox().push_back(std::move(x))) {
+    case caf::intrusive::inbox_result::success:
+      break;
+    case caf::intrusive::inbox_result::unblocked_reader:
+      Doorbell::ring(arrival_);
+      break;
+    case caf::intrusive::inbox_result::queue_closed:
+      // CAF answers requests to an actor that has ended.
+      if (asker)
+        blocking_actor::enqueue(
+          caf::make_mailbox_element(std::move(asker), id, {}, caf::message{}), context);
+      break;
+  }
 }
 
 bool PumpedActor::cleanup(caf::error&& reason, caf::execution_unit* host) {

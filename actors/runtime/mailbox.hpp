@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/base/caf.hpp"
+#include "castor/base/doorbell.hpp"
 #include "castor/wm/clock/simulated_clock.hpp"
 
 #include <caf/blocking_actor.hpp>
@@ -10,7 +11,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -93,6 +93,8 @@ protected:
   bool cleanup(caf::error&& reason, caf::execution_unit* host) override;
 
 private:
+  /// Puts it into CAF's mailbox; wakes the thread if it waits.
+  void deposit(caf::mailbox_element_ptr x, caf::execution_unit* context);
   /// Waits until something has arrived; false once `until` has passed without any.
   bool park(Clock::time_point until);
   bool await_arrival(Clock::time_point until);
@@ -102,6 +104,7 @@ private:
 
   const std::shared_ptr<SimulatedClock> clock_;
   const std::uint64_t order_;
+  const std::shared_ptr<Doorbell> arrival_ = std::make_shared<Doorbell>();
   /// The clock has woken this actor since this was reset.
   bool was_woken_ = false;
   /// Of the following three, which are used only with a simulated clock.

@@ -1,5 +1,7 @@
 #include "castor/wm/memory/event_dispatcher.hpp"
 
+#include "castor/base/doorbell.hpp"
+
 #include <algorithm>
 #include <memory>
 
@@ -63,6 +65,7 @@ void EventDispatcher::receive(const ChangeNotices& events) {
 }
 
 void EventDispatcher::push(Subscriptions::Notices notices) {
+  RingBatch rings;
   subscriptions_.push(
     std::move(notices), usage_,
     [this](Subscriptions::Number x, EventFlow::Batch batch) { send(x, std::move(batch)); });

@@ -1,0 +1,102 @@
+#include "castor/base/doorbell.hpp"
+
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <thread>
+#include <utility>
+
+namespace castor {
+
+namespace {
+
+thread_local RingBatch* batch = nullptr;
+
+/// @param until null for ever
+long futex(std::atomic<std::uint32_t>& word, int operation, std::uint32_t value,
+           const timespec* until) {
+  static_assert(sizeof word == sizeof(std::uint32_t) &&
+                std::atomic<std::uint32_t>::is_always_lock_free);
+  return syscall(SYS_futex, &word, operation | FUTEX_PRIVATE_FLAG, value, until, nullptr,
+                 FUTEX_BITSET_MATCH_ANY);
+}
+
+} // namespace
+
+Doorbell::Chain* Doorbell::waiting() {
+  static Chain mark;
+  return &mark;
+}
+
+Doorbell::Chain* Doorbell::woken() {
+  static Chain mark;
+  return &mark;
+}
+
+void Doorbell::ring(const std::shared_ptr<Doorbell>& bell) {
+  if (batch)
+    batch->bells_.push_back(bell);
+  else
+    bell->wake(nullptr);
+}
+
+bool Doorbell::wake(Chain* others) {
+  auto* expected = waiting();
+  if (!state_.compare_exchange_strong(expected, others ? others : woken()))
+    return false;
+  ++rings_;
+  futex(rings_, FUTEX_WAKE, 1, nullptr);
+  return true;
+}
+
+void Doorbell::ring_all(Chain* chain) {
+  if (chain == waiting() || chain == woken())
+    return;
+  while (chain) {
+    std::unique_ptr<Chain> first{chain};
+    chain = first->next;
+    if (first->bell->wake(chain))
+      return;
+  }
+}
+
+bool Doorbell::sleep(std::uint32_t seen, Clock::time_point until) {
+  if (until == Clock::time_point::max()) {
+    futex(rings_, FUTEX_WAIT_BITSET, seen, nullptr);
+    return true;
+  }
+  // The steady clock is the kernel's monotonic one.
+  auto since_boot = until.time_since_epoch();
+  auto seconds = std::chrono::floor<std::chrono::seconds>(since_boot);
+  timespec time{};
+  time.tv_sec = seconds.count();
+  time.tv_nsec = std::chrono::nanoseconds{since_boot - seconds}.count();
+  return futex(rings_, FUTEX_WAIT_BITSET, seen, &time) == 0 || errno != ETIMEDOUT;
+}
+
+RingBatch::RingBatch() : is_outermost_(batch == nullptr) {
+  if (is_outermost_)
+    batch = this;
+}
+
+RingBatch::~RingBatch() {
+  if (!is_outermost_)
+    return;
+  batch = nullptr;
+  static const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1U);
+  auto chains = std::min(bells_.size(), processors);
+  for (std::size_t i = 0; i < chains; ++i) {
+    Doorbell::Chain* chain = nullptr;
+    // From the last: the first is to be rung first.
+    for (auto k = bells_.size(); k-- > 0;)
+      if (k % chains == i)
+        chain = new Doorbell::Chain{std::move(bells_[k]), chain};
+    Doorbell::ring_all(chain);
+  }
+}
+
+} // namespace castor
