@@ -3,6 +3,7 @@
 #include <caf/atom.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <optional>
 #include <thread>
@@ -30,9 +31,7 @@ PumpedActor::PumpedActor(caf::actor_config& config, std::shared_ptr<SimulatedClo
 // -- waiting
 
 bool PumpedActor::pump(Clock::time_point until, Expected expected) {
-  bool is_here =
-    !mailbox().empty() || (expected == Expected::soon && !clock_ && comes_soon(until));
-  if (!is_here && !park(until))
+  if (mailbox().empty() && !comes_early(until, expected) && !park(until))
     return false;
   file_arrived();
   return true;
@@ -70,6 +69,20 @@ SimulatedClock::Key PumpedActor::wake_at(Timestamp time, std::uint64_t order) {
   });
 }
 
+bool PumpedActor::comes_early(Clock::time_point until, Expected expected) {
+  if (clock_)
+    return false;
+  switch (expected) {
+    case Expected::soon:
+      return comes_soon(until);
+    case Expected::in_turn:
+      return comes_in_turn(until);
+    case Expected::later:
+      break;
+  }
+  return false;
+}
+
 bool PumpedActor::comes_soon(Clock::time_point until) {
   // Longer than most answers take, and shorter than it takes to sleep and to be woken.
   constexpr std::chrono::microseconds worth_waiting{5};
@@ -79,6 +92,30 @@ bool PumpedActor::comes_soon(Clock::time_point until) {
       return true;
   }
   return false;
+}
+
+bool PumpedActor::comes_in_turn(Clock::time_point until) {
+  // About two turns of others.
+  constexpr std::chrono::microseconds worth_waiting{10};
+  // The processor was given to others who do not wait for the same: a machine with too much to do,
+  // where who sleeps is served earlier than who has just yielded.
+  constexpr std::chrono::microseconds too_long{50};
+  constexpr std::chrono::milliseconds pause{200};
+  static std::atomic<bool> is_one_awake{false};
+  static std::atomic<Clock::time_point> paused_until{Clock::time_point::min()};
+  auto now = Clock::now();
+  if (now < paused_until.load(std::memory_order_relaxed) || is_one_awake.exchange(true))
+    return false;
+  bool has_arrived = false;
+  for (auto end = std::min(until, now + worth_waiting); !has_arrived && now < end;) {
+    std::this_thread::yield();
+    has_arrived = !mailbox().empty();
+    auto before = std::exchange(now, Clock::now());
+    if (now - before > too_long)
+      paused_until.store(now + pause, std::memory_order_relaxed);
+  }
+  is_one_awake = false;
+  return has_arrived;
 }
 
 bool PumpedActor::await_arrival(Clock::time_point until) {

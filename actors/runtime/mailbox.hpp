@@ -40,8 +40,9 @@ public:
   using blocking_actor::enqueue;
   void enqueue(caf::mailbox_element_ptr x, caf::execution_unit* context) override;
 
-  /// When something may be expected to arrive. What comes soon is not worth sleeping for.
-  enum class Expected : std::uint8_t { soon, later };
+  /// When something may be expected to arrive. What comes soon is not worth sleeping for; what comes
+  /// in turn, after others that wait for the same, only to one of them at a time.
+  enum class Expected : std::uint8_t { soon, in_turn, later };
 
   /// Files what has arrived; if nothing has, waits for it. False once `until`, which is real time,
   /// has passed without any.
@@ -98,8 +99,10 @@ private:
   /// Waits until something has arrived; false once `until` has passed without any.
   bool park(Clock::time_point until);
   bool await_arrival(Clock::time_point until);
-  /// Whether something arrives within microseconds.
+  /// Whether something arrives within microseconds, for which the thread stays awake.
+  bool comes_early(Clock::time_point until, Expected expected);
   bool comes_soon(Clock::time_point until);
+  bool comes_in_turn(Clock::time_point until);
   SimulatedClock::Key wake_at(Timestamp time, std::uint64_t order);
 
   const std::shared_ptr<SimulatedClock> clock_;

@@ -82,7 +82,7 @@ OperationsClient::wait_until(const std::function<bool()>& done, Clock::time_poin
       is_quiet = parts_.actor.pump_until_quiet(until);
     else
       parts_.actor.pump(wait && probes_by_time ? std::min(until, next_probe) : until,
-                        wait ? PumpedActor::Expected::later : PumpedActor::Expected::soon);
+                        wait ? PumpedActor::Expected::in_turn : PumpedActor::Expected::soon);
     // A stream of events wakes us again and again; the deadline holds all the same.
     auto time = Clock::now();
     if (!done() && time >= until)
