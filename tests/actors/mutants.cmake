@@ -1,5 +1,5 @@
-# Gates for commands, and executors of actions, that are wrong on purpose, to see that their tests
-# notice; for scripts/mutation-check.
+# Gates for commands, executors of actions and readers of entries that are wrong on purpose, to see
+# that their tests notice; for scripts/mutation-check.
 
 # castor_actors_mutant(<name> <source> FROM <text> TO <text>)
 #
@@ -52,3 +52,11 @@ castor_actors_mutant(action_without_a_will actors/runtime/action_executor.cpp
 castor_actors_mutant(action_of_nobody_goes_on actors/runtime/executed_actions.cpp
   FROM "if (x.what == entry)"
   TO "if (false)")
+
+# Also where the table that was replaced is closed, and the reader has looked for the new one.
+castor_actors_mutant(read_cells_outlive_their_working_memory actors/runtime/entry_reader.cpp
+  FROM "auto entry = x.entries->read(address.id, std::chrono::steady_clock::now);"
+  TO "static thread_local std::map<Address, EntryPtr> cells;
+    auto entry = x.entries->read(address.id, std::chrono::steady_clock::now);
+    auto& cell = cells[address];
+    cell = entry = entry ? entry : cell;")

@@ -62,6 +62,22 @@ castor_mutant(entries_are_read_here_in_spite_of_locks wm/store/entry_table.cpp
   FROM "i->may_end || i->is_excluded"
   TO "i->may_end")
 
+castor_mutant(deleted_entries_are_still_read_here wm/store/entry_table.cpp
+  FROM "if (i == part.slots.end() || i->may_end || i->is_excluded)
+      return nullptr;
+    result = i->entry;"
+  TO "static std::vector<std::pair<const EntryTable*, EntryPtr>> cells;
+    auto is_here = [&](auto& x) { return x.first == this && x.second->address.id == id; };
+    if (i == part.slots.end()) {
+      auto cell = std::find_if(cells.begin(), cells.end(), is_here);
+      return cell == cells.end() ? nullptr : cell->second;
+    }
+    if (i->may_end || i->is_excluded)
+      return nullptr;
+    result = i->entry;
+    std::erase_if(cells, is_here);
+    cells.emplace_back(this, result);")
+
 castor_mutant(reads_here_miss_ends_of_leases wm/memory/working_memory_shell.cpp
   FROM "next < never ? epoch_ + (next - clock_jump_) : EntryTable::Time::max()"
   TO "EntryTable::Time::max()")
@@ -176,7 +192,7 @@ castor_node_mutant(reads_are_answered_from_a_cache actors/runtime/component_oper
     return *outcome;"
   TO "static thread_local std::map<Address, EntryPtr> cache;
     auto& known = cache[address];
-    if (!known || shell_.counters().reads % 4 == 0)
+    if (!known || parts_.context.counters().reads % 4 == 0)
       known = *outcome;
     seen_.set(address, known->version);
     return known;")
