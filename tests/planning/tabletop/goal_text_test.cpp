@@ -19,10 +19,10 @@ TEST(ContainsWord, WholeWordsOnly) {
   EXPECT_TRUE(contains_word("(left-of ball-2 ball)", "ball"));
 }
 
-TEST(GoalText, ArrangementsAndPlacesOnThingsAreNoParts) {
+TEST(PartsIn, AreNoArrangementsAndNoPlacesOnThings) {
   EXPECT_THAT(
     parts_in("(and (in-part a left) (in-part a in-row) (in-part a apart) (in-part a on))"),
-    ElementsAre("left"));
+    testing::ElementsAre("left"));
 }
 
 } // namespace castor::planning
