@@ -9,7 +9,7 @@ namespace castor::mapping {
 
 namespace {
 
-constexpr double look_step = 0.1; // seconds
+constexpr double time_step = 0.1; // seconds
 constexpr int steps_of_command = 2;
 
 /// What a way costs, in metres of progress: a metre aside, and a metre of change of that. People
@@ -39,7 +39,7 @@ Rollout roll_out(PathFollower follower, const Pose2& robot, const Passing& passi
   const double radii = mover_options.robot_radius + mover_options.mover_radius;
   auto pose = robot;
   Twist2 velocity;
-  const int steps = static_cast<int>(std::floor(horizon / look_step));
+  const int steps = static_cast<int>(std::floor(horizon / time_step));
   for (int i = 0; i < steps; ++i) {
     if (i % steps_of_command == 0) {
       velocity = velocity_aside(follower, pose, passing.shift, options);
@@ -48,8 +48,8 @@ Rollout roll_out(PathFollower follower, const Pose2& robot, const Passing& passi
         velocity.forward = passing.speed;
       }
     }
-    const double t = (i + 1) * look_step;
-    pose = moved(pose, velocity, look_step);
+    const double t = (i + 1) * time_step;
+    pose = moved(pose, velocity, time_step);
     const Point2 there{pose.x, pose.y};
     if (passing.shift != 0 && !is_free(there))
       return {false, 0, 0};

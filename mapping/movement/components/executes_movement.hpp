@@ -3,7 +3,6 @@
 #include "castor/actors/component/actions.hpp"
 #include "castor/mapping/body/seen_obstacles.hpp"
 #include "castor/mapping/movement/components/has_movement_options.hpp"
-#include "castor/mapping/movement/map_alignment.hpp"
 #include "castor/mapping/movement/movement_queue.hpp"
 #include "castor/mapping/movement/mover_watch.hpp"
 #include "castor/mapping/movement/person_follower.hpp"
@@ -33,11 +32,8 @@ protected:
     on_push<Odometry>(sensors(), [this](auto& x) { watch_.add(*x); });
     on_push<LaserScan>(sensors(), [this](auto& x) {
       watch_.add(*x);
-      if (!pose())
-        return;
-      seen_.add(*x, *pose());
-      if (given_map())
-        seen_for_alignment_.add(*x, *pose());
+      if (pose())
+        seen_.add(*x, *pose());
     });
     planning_map_ = PlanningMap(pursuit_options().plan.cells);
     if (!given_map())
@@ -87,7 +83,7 @@ protected:
         drive({});
         movement_.waited += std::chrono::duration<double>(period()).count();
         tell(MovementStatus::waiting, missing);
-      } else if (align(); const std::optional<ActionResult> end = step()) {
+      } else if (const std::optional<ActionResult> end = step()) {
         drive({});
         movement_.reason = end->reason;
         tell(end->outcome == ActionOutcome::succeeded ? MovementStatus::arrived
@@ -160,7 +156,7 @@ protected:
       constexpr double close = 0.03; // radians
       if (std::abs(left) < close)
         return ActionResult::succeeded();
-      if (!can_turn(robot_on_map(), left, planning_map(), seen_on_map()))
+      if (!can_turn(*pose(), left, planning_map(), seen_.points()))
         return ActionResult::failed("the robot's footprint would touch something by that turn");
       const double most = pursuit_options().follow.max_turn;
       drive({0, std::clamp(2 * left, -most, most)});
@@ -179,11 +175,9 @@ protected:
         "only a robot that is a disc follows people: leave --planner out");
     std::optional<PersonFollower> follower;
     return execute_steps(action, "follow a person", [&]() -> std::optional<ActionResult> {
-      std::vector<SeenPerson> in_sight = people();
-      for (auto& x : in_sight)
-        x.place = alignment_.on_map(*pose(), x.place);
+      const std::vector<SeenPerson> in_sight = people();
       if (!follower) {
-        const auto id = what.person != 0 ? what.person : nearest_of(in_sight, robot_on_map());
+        const auto id = what.person != 0 ? what.person : nearest_of(in_sight, *pose());
         if (id == 0) {
           drive({});
           tell(MovementStatus::waiting, "somebody to follow");
@@ -191,11 +185,10 @@ protected:
         }
         follower.emplace(id, follow_options(what.distance));
       }
-      const auto robot = robot_on_map();
-      const auto seen = seen_on_map();
-      const auto movers = watch_.movers(robot);
+      const auto seen = seen_.points();
+      const auto movers = watch_.movers(*pose());
       const auto step =
-        follower->step(now().count(), robot, in_sight, {planning_map(), seen, movers, gateways_});
+        follower->step(now().count(), *pose(), in_sight, {planning_map(), seen, movers, gateways_});
       movement_.task = "follow person " + std::to_string(follower->person());
       drive(step.velocity);
       if (step.status == MovementStatus::failed)
@@ -206,17 +199,6 @@ protected:
   }
 
   // -- what it knows
-
-  /// Where the robot is on the map that it plans with, and what it has seen lately there. Of a map
-  /// that is given, the pose may be a little beside it.
-  Pose2 robot_on_map() const { return alignment_.on_map(*pose()); }
-
-  std::vector<Point2> seen_on_map() const {
-    auto result = seen_.points();
-    for (auto& x : result)
-      x = alignment_.on_map(*pose(), x);
-    return result;
-  }
 
   /// Whether there are cells.
   bool has_map() const { return map().columns > 0; }
@@ -260,23 +242,14 @@ private:
     return new_pursuit(route.places[leg], is_last ? route.heading : std::nullopt, is_last);
   }
 
-  void align() {
-    using namespace std::chrono_literals;
-    if (!given_map() || now() - aligned_ < 500ms)
-      return;
-    aligned_ = now();
-    alignment_.look(*pose(), seen_for_alignment_.points(), watch_.movers(*pose()), planning_map());
-  }
-
   /// How the pursuit has ended, if it has.
   std::optional<ActionResult> step_of(Pursuit& pursuit) {
     const int plans = pursuit.plans();
-    const auto robot = robot_on_map();
-    const auto seen = seen_on_map();
-    const auto movers = watch_.movers(robot);
+    const auto seen = seen_.points();
+    const auto movers = watch_.movers(*pose());
     const auto& map = planning_map();
     const auto begun = std::chrono::steady_clock::now();
-    const auto step = pursuit.step(now().count(), robot, {map, seen, movers, gateways_});
+    const auto step = pursuit.step(now().count(), *pose(), {map, seen, movers, gateways_});
     if (pursuit.plans() != plans)
       movement_.planning_time =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
@@ -336,11 +309,7 @@ private:
 
   PlanningMap planning_map_;
   Timestamp map_updated_{0};
-  MapAlignment alignment_;
-  Timestamp aligned_{0};
-  /// In the frame of the poses. Far walls tell where along a corridor the robot is.
   SeenObstacles seen_;
-  SeenObstacles seen_for_alignment_{{0.05, 10, 8'000'000, 0.15}};
   MoverWatch watch_;
   bool has_seat_ = false;
   MovementQueue queue_;

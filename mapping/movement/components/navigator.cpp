@@ -113,7 +113,7 @@ class Navigator final : public ExecutesMovement {
       const auto x = plan_path(map.cells(), map.clearance(), from, to, plan);
       return x.points.empty() ? std::numeric_limits<double>::infinity() : x.length;
     };
-    return graph().between({robot_on_map().x, robot_on_map().y}, goal, way);
+    return graph().between({pose()->x, pose()->y}, goal, way);
   }
 
   // -- routes
@@ -131,7 +131,6 @@ class Navigator final : public ExecutesMovement {
   /// To the place around the object that takes the shortest way.
   Route route_near(const GoToObject& x) {
     const auto& map = planning_map();
-    const auto robot = robot_on_map();
     auto options = pursuit_options().plan;
     options.explains = false;
     Route best;
@@ -142,7 +141,7 @@ class Navigator final : public ExecutesMovement {
       const double angle = 2 * std::numbers::pi * i / directions;
       const Point2 place{x.x + x.distance * std::cos(angle), x.y + x.distance * std::sin(angle)};
       const auto plan =
-        plan_path(map.cells(), map.clearance(), {robot.x, robot.y}, place, options);
+        plan_path(map.cells(), map.clearance(), {pose()->x, pose()->y}, place, options);
       if (plan.points.empty()) {
         reason = plan.reason;
       } else if (plan.length < shortest) {
