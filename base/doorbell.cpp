@@ -90,12 +90,13 @@ RingBatch::~RingBatch() {
   static const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1U);
   auto chains = std::min(bells_.size(), processors);
   for (std::size_t i = 0; i < chains; ++i) {
-    Doorbell::Chain* chain = nullptr;
+    Doorbell::Chain* others = nullptr;
     // From the last: the first is to be rung first.
-    for (auto k = bells_.size(); k-- > 0;)
+    for (auto k = bells_.size(); k-- > chains;)
       if (k % chains == i)
-        chain = new Doorbell::Chain{std::move(bells_[k]), chain};
-    Doorbell::ring_all(chain);
+        others = new Doorbell::Chain{std::move(bells_[k]), others};
+    if (!bells_[i]->wake(others))
+      Doorbell::ring_all(others);
   }
 }
 

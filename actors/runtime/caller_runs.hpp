@@ -1,7 +1,6 @@
 #pragma once
 
 #include "castor/base/caf.hpp"
-#include "castor/base/doorbell.hpp"
 
 #include <caf/execution_unit.hpp>
 #include <caf/resumable.hpp>
@@ -31,8 +30,6 @@ public:
   /// All of them have to be resumed here: nobody else would.
   template <class F>
   void run(F&& send) {
-    // Whoever is woken finds the working memories idle again.
-    RingBatch rings;
     keeping_ = true;
     send();
     for (std::size_t i = 0; i < kept_; ++i) {
