@@ -8,7 +8,7 @@ import statistics
 from dataclasses import asdict, dataclass
 
 import model
-from docs_table import machine_text
+from docs_table import machine_text, markdown_table
 from rows import Line, Point, Row
 
 # Modules of four components, each of which wants to hear of three others.
@@ -94,10 +94,6 @@ def _number(x, digits=1):
     return "" if x is None else f"{x:.{digits}f}"
 
 
-def _table(head, rows):
-    return "\n".join(["| " + " | ".join(x) + " |" for x in [head, ["---"] * len(head), *rows]])
-
-
 def model_table():
     """Counts by the model, for all three schemes."""
     rows = []
@@ -108,7 +104,7 @@ def model_table():
                 x = Case(SIZES[0], layout, share, scheme).expected()
                 cells.append(f"{x.messages:.1f} / {x.deliveries:.1f} / {x.wasted:.1f}")
             rows.append(cells)
-    return _table(["interest across", "subarchitectures", *model.SCHEMES], rows)
+    return markdown_table(["interest across", "subarchitectures", *model.SCHEMES], rows)
 
 
 def synthetic_table(results, nodes):
@@ -123,7 +119,7 @@ def synthetic_table(results, nodes):
             rows.append([_percent(share) if layout == "1" else "", title,
                          *(_number(median_of(results, x, "processor")) for x in both),
                          *(_number(median_of(results, x, other), 0) for x in both)])
-    return _table(head, rows)
+    return markdown_table(head, rows)
 
 
 def size_table(results):
@@ -134,8 +130,8 @@ def size_table(results):
             rows.append([str(size) if layout == "1" else "", title,
                          *(_number(median_of(results, x, "processor")) for x in both),
                          *(_number(median_of(results, x, "p50"), 0) for x in both)])
-    return _table(["components", "subarchitectures", "processor, us", "broadcast", "heard after (median), us",
-                   "broadcast"], rows)
+    return markdown_table(["components", "subarchitectures", "processor, us", "broadcast", "heard after (median), us",
+                           "broadcast"], rows)
 
 
 def in_one(scheme):
@@ -183,7 +179,7 @@ def robot_table(results, robots):
         for i, (layout, schemes) in enumerate(robot_layouts(runs)):
             rows.append([robot.title if i == 0 else "", layout,
                          *(" / ".join(f"{x:.2f}" for x in schemes[scheme]) for scheme in MEASURED_SCHEMES)])
-    return _table(["system", "subarchitectures", *MEASURED_SCHEMES], rows)
+    return markdown_table(["system", "subarchitectures", *MEASURED_SCHEMES], rows)
 
 
 def robot_cost_table(results, robots):
@@ -194,7 +190,7 @@ def robot_cost_table(results, robots):
                 x = runs[name(model.FILTERED)]
                 rows.append([robot.title, str(x["subarchitectures"]), str(x["components"]), str(x["changes"]),
                              *(f"{runs[name(y)]['processor']:.1f} s" for y in (model.FILTERED, model.BROADCAST))])
-    return _table(["system", "subarchitectures", "components", "changes", "processor", "broadcast"], rows)
+    return markdown_table(["system", "subarchitectures", "components", "changes", "processor", "broadcast"], rows)
 
 
 def tables(results, robots):

@@ -1,4 +1,4 @@
-"""The table of measured figures in docs/performance.md. Pure."""
+"""Tables of measured figures in pages of docs/. Pure."""
 
 from figures import figure_at, length_of_round, number
 from report import points_of, verdicts
@@ -52,3 +52,15 @@ def with_table(page, table, begin_mark=BEGIN, end_mark=END):
     if not begin or not end:
         raise ValueError(f"there are no lines {begin_mark} and {end_mark}")
     return f"{before}{begin}\n\n{table}\n\n{end}{after}"
+
+
+def markdown_table(head, rows):
+    """`head` and `rows` are lists of cells."""
+    return "\n".join(["| " + " | ".join(x) + " |" for x in [head, ["---"] * len(head), *rows]])
+
+
+def with_tables(page, tables, script):
+    """The page with each of the tables, (mark, Markdown), between the marks of that script."""
+    for mark, table in tables:
+        page = with_table(page, table, f"<!-- begin of {mark}: {script} --update-docs -->", f"<!-- end of {mark} -->")
+    return page

@@ -8,7 +8,7 @@ import statistics
 
 import cluster
 import laws
-from docs_table import machine_text
+from docs_table import machine_text, markdown_table
 from figures import number
 from rows import Line, Point, Row
 
@@ -63,10 +63,6 @@ def costs(found, nodes):
 # -- tables
 
 
-def _table(head, rows):
-    return "\n".join(["| " + " | ".join(x) + " |" for x in [head, ["---"] * len(head), *rows]])
-
-
 def measured_table(results):
     sizes = sorted(int(x) for x in results["samples"])
     figures = {"start": ("until all run", "s", 1), "p50": ("until all have heard, median", "ms", 1e-3),
@@ -76,7 +72,7 @@ def measured_table(results):
     for figure, (title, unit, factor) in figures.items():
         known = medians(results, figure)
         rows.append([f"{title}, {unit}"] + [number(known[n] * factor) if n in known else "" for n in sizes])
-    return machine_text(results) + "\n\n" + _table(["", *(f"{n} nodes" for n in sizes)], rows)
+    return machine_text(results) + "\n\n" + markdown_table(["", *(f"{n} nodes" for n in sizes)], rows)
 
 
 def laws_table(results):
@@ -88,7 +84,7 @@ def laws_table(results):
         off = laws.deviation(law, medians(results, figure)) if GROWTH[figure] != (0,) else None
         rows.append([f"{title}, {unit}", text, "" if off is None else f"{100 * off:.0f} %",
                      *(number(law.at(n) * factor) for n in (*SIMULATED, ON_PAPER))])
-    return _table(["", "for n nodes", "off by at most", *(f"{n:,} nodes" for n in (*SIMULATED, ON_PAPER))], rows)
+    return markdown_table(["", "for n nodes", "off by at most", *(f"{n:,} nodes" for n in (*SIMULATED, ON_PAPER))], rows)
 
 
 def simulated_rows(results):
@@ -117,7 +113,7 @@ def simulated_table(results):
     for (title, unit), values in simulated_rows(results).items():
         for label, (simulated, measured) in values.items():
             rows.append([f"{title}, {unit}", label, number(simulated), number(measured) if measured else ""])
-    return _table(["", "nodes", "simulated", "measured"], rows)
+    return markdown_table(["", "nodes", "simulated", "measured"], rows)
 
 
 def tables(results):
