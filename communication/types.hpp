@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Entry types of the communication working memory: utterances, their meanings, and replies.
@@ -267,8 +268,8 @@ struct PronounReferents {
 /// Where something is to be: in a relation to landmarks, or in a part of what things are on.
 struct DirectivePlace {
   /// A relation (near, left, right, front, back, on, between, in, away ...), or without landmarks a
-  /// part: left, left-edge, front-left-corner, centre, edge, corner, elsewhere, table, there ...; or
-  /// how several things are arranged: in-row, in-column, in-ring, apart.
+  /// part: left, left-edge, front-left-corner, centre, edge, corner, elsewhere, table, there ...;
+  /// or how several things are arranged: in-row, in-column, in-ring, apart.
   std::string relation;
   /// Proxies; several are meant together.
   std::vector<std::string> landmarks;
@@ -277,6 +278,13 @@ struct DirectivePlace {
 
   friend bool operator==(const DirectivePlace&, const DirectivePlace&) = default;
 };
+
+/// Whether the relation of a DirectivePlace is one that things have together: a row, a ring, far
+/// from each other.
+inline bool is_arrangement(std::string_view relation) {
+  return relation == "in-row" || relation == "in-column" || relation == "in-ring" ||
+         relation == "apart";
+}
 
 /// What is to be done with some things.
 struct DirectiveStep {

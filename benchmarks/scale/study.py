@@ -84,7 +84,8 @@ def laws_table(results):
         off = laws.deviation(law, medians(results, figure)) if GROWTH[figure] != (0,) else None
         rows.append([f"{title}, {unit}", text, "" if off is None else f"{100 * off:.0f} %",
                      *(number(law.at(n) * factor) for n in (*SIMULATED, ON_PAPER))])
-    return markdown_table(["", "for n nodes", "off by at most", *(f"{n:,} nodes" for n in (*SIMULATED, ON_PAPER))], rows)
+    head = ["", "for n nodes", "off by at most", *(f"{n:,} nodes" for n in (*SIMULATED, ON_PAPER))]
+    return markdown_table(head, rows)
 
 
 def simulated_rows(results):

@@ -20,11 +20,6 @@ using Reason = Uninterpretable::Reason;
 using Things = std::vector<std::string>;
 using Meant = MeantThings;
 
-/// Places that things have together: a row, a ring, far from each other.
-bool is_arrangement(std::string_view region) {
-  return region == "in-row" || region == "in-column" || region == "in-ring" || region == "apart";
-}
-
 /// "Do not touch it", "leave it alone": what it is not to do with a thing at all.
 bool is_about_touching(std::string_view verb) {
   constexpr std::array<std::string_view, 9> verbs{"touch", "move",  "take",   "push",  "put",

@@ -131,11 +131,6 @@ std::vector<TableSpot> around(const Offset& wanted, const Offsets& offsets, cons
 
 } // namespace
 
-bool is_arrangement(std::string_view relation) {
-  return relation == "in-row" || relation == "in-column" || relation == "in-ring" ||
-         relation == "apart";
-}
-
 std::vector<TableSpot> arranged(std::string_view arrangement,
                                 const std::vector<const TableThing*>& things,
                                 std::span<const TableThing> table) {

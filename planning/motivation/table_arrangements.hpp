@@ -8,9 +8,6 @@
 
 namespace castor::planning {
 
-/// Whether places of several things are meant together: in-row, in-column, in-ring, apart.
-bool is_arrangement(std::string_view relation);
-
 /// Places for all of some things, so that they stand in a row from left to right, in a column, in a
 /// ring, or farther from each other. Each keeps its rank among the others, and they go no farther
 /// than they have to; where others stand, none is put.

@@ -23,7 +23,7 @@ TableGoal TableGoalMaker::put() {
   const auto verb = (step_.action == "Push" ? "push " : "put ") + listed(things_);
   std::string where;
   for (const auto& place : step_.places) {
-    if (is_arrangement(place.relation))
+    if (communication::is_arrangement(place.relation))
       return arrange(place.relation);
     if (place.relation == "where" || place.relation == "where-before")
       return put_where_another_is(place, verb);

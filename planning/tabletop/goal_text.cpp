@@ -1,6 +1,6 @@
 #include "castor/planning/tabletop/goal_text.hpp"
 
-#include "castor/planning/motivation/table_arrangements.hpp"
+#include "castor/communication/types.hpp"
 
 #include <set>
 
@@ -29,7 +29,7 @@ std::vector<std::string> parts_in(std::string_view goal) {
     // That it was given to somebody, too, is known by what was done.
     if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand" &&
         !part.starts_with("further-") && !part.starts_with("slightly-") && part != "on" &&
-        !is_arrangement(part))
+        !communication::is_arrangement(part))
       result.insert(std::move(part));
   }
   return {result.begin(), result.end()};
