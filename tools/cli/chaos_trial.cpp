@@ -2,14 +2,12 @@
 
 #include "castor/actors/node/placement.hpp"
 #include "castor/actors/system/system.hpp"
-#include "castor/base/text.hpp"
 #include "castor/tools/chaos/expected_changes.hpp"
 #include "castor/tools/chaos/injector.hpp"
 #include "castor/tools/chaos/journal_faults.hpp"
 #include "castor/tools/chaos/journal_snapshot.hpp"
-#include "castor/tools/chaos/outages.hpp"
-#include "castor/tools/chaos/resource_growth.hpp"
 #include "castor/tools/chaos/rounded.hpp"
+#include "castor/tools/cli/chaos_checks.hpp"
 #include "castor/tools/cli/commands.hpp"
 #include "castor/tools/cli/forbidden_changes.hpp"
 #include "castor/tools/cli/history_watch.hpp"
@@ -79,11 +77,20 @@ private:
   std::set<std::string> down_;
 };
 
+bool clocks_jump(const faults::FaultPlan& plan) {
+  auto jumps = [](auto& fault) { return std::holds_alternative<faults::JumpClock>(fault); };
+  return std::ranges::any_of(plan.statements,
+                             [&](auto& x) { return std::ranges::any_of(x.faults, jumps); });
+}
+
 /// One start of a system and what comes of it.
 class Trial {
 public:
-  Trial(const ChaosSetup& setup, const Signals& signals, Progress& progress, faults::ChaosRun& run)
-    : setup_(setup), signals_(signals), progress_(progress), run_(run) {}
+  /// @param when as of ChaosChecks
+  Trial(const ChaosSetup& setup, const Signals& signals, Progress& progress, faults::ChaosRun& run,
+        std::string when)
+    : setup_(setup), signals_(signals), progress_(progress), run_(run),
+      checks_(setup, run, std::move(when)) {}
 
   FaultlessRun without_faults() {
     FaultlessRun result;
@@ -97,9 +104,9 @@ public:
     auto nodes = start_local_nodes(architecture, true, setup_.plugins, {}, options);
     if (work)
       work->watch(options);
-    ForbiddenChanges forbidden{this->forbidden()};
+    ForbiddenChanges forbidden{checks_.forbidden()};
     forbidden.watch(options);
-    faults::ExpectedChanges expected{expected_changes()};
+    faults::ExpectedChanges expected{checks_.demanded()};
     watch(options, expected);
     System system{std::move(architecture), options};
     if (system.start()) {
@@ -119,9 +126,9 @@ public:
       if (needs_rest())
         result.state = come_to_rest(system, [] { return false; });
       if (work)
-        look_at_work(*work, " without faults");
-      look_at_forbidden(forbidden, " without faults");
-      look_at_expected(expected, " without faults");
+        checks_.workload(*work);
+      checks_.forbidden_changes(forbidden);
+      checks_.expected_changes(expected);
     }
     if (nodes)
       nodes->end_restarts();
@@ -174,9 +181,9 @@ public:
     histories.watch(options);
     if (work)
       work->watch(options);
-    ForbiddenChanges forbidden{this->forbidden()};
+    ForbiddenChanges forbidden{checks_.forbidden()};
     forbidden.watch(options);
-    faults::ExpectedChanges expected{expected_changes()};
+    faults::ExpectedChanges expected{checks_.demanded()};
     watch(options, expected);
     System system{std::move(architecture), options};
     histories.look_at_beginning(system);
@@ -221,18 +228,18 @@ public:
     injector->stop();
     if (work)
       work->finish_actions();
-    look_at_survival(reason, system.ended());
+    checks_.survival(reason, system.ended());
     if (reason == EndReason::time_over) {
       await(expected, system);
-      compare(wanted, come_to_rest(system, [&] { return notes.down() > 0; }));
+      checks_.state(wanted, come_to_rest(system, [&] { return notes.down() > 0; }));
     }
     if (work)
-      run_.workload = look_at_work(*work, {});
-    look_at_forbidden(forbidden, {});
-    look_at_expected(expected, {});
+      run_.workload = checks_.workload(*work);
+    checks_.forbidden_changes(forbidden);
+    checks_.expected_changes(expected);
     auto took = std::chrono::duration_cast<Timestamp>(Clock::now() - begin);
-    look_at_outages(notes.all(), took);
-    look_at_components(system.summary());
+    checks_.outages(notes.all(), took);
+    checks_.components(system.summary());
     histories.end();
     show_step("stopping the system");
     if (nodes)
@@ -242,13 +249,13 @@ public:
     run_.faults = injector->records();
     for (auto& x : run_.faults)
       if (!x.violation.empty())
-        violation(x.fault, x.violation);
+        checks_.violation(x.fault, x.violation);
     {
       std::lock_guard guard{mutex};
       injector.reset();
     }
-    look_at_histories(histories);
-    look_at_resources(watch.stop());
+    checks_.histories(histories, [this](auto& name) { show_step("checking " + name); });
+    checks_.resources(watch.stop());
     conclude(report, destruction);
   }
 
@@ -301,9 +308,9 @@ private:
     if (reason == EndReason::time_over && !is_any_down())
       reason = system.wait({limit - at_first, setup_.settle});
     if (reason == EndReason::time_over)
-      violation("rest", is_any_down()
-                          ? "the system did not come to rest, since not everything is back"
-                          : "the system did not come to rest within " + faults::rounded(limit));
+      checks_.violation(
+        "rest", is_any_down() ? "the system did not come to rest, since not everything is back"
+                              : "the system did not come to rest within " + faults::rounded(limit));
     return state_of(system, setup_.compared);
   }
 
@@ -342,75 +349,9 @@ private:
   /// then the process ends.
   void conclude(const std::function<void()>& report, TimeLimit& destruction) {
     if (signals_.count() > 0)
-      violation("interrupted", "the run did not come to its end");
+      checks_.violation("interrupted", "the run did not come to its end");
     report();
     destruction.begin(destruction_limit, a_component_failed);
-  }
-
-  void look_at_survival(EndReason reason, const std::optional<std::pair<int, std::string>>& ended) {
-    std::string problem;
-    if (reason == EndReason::all_failed)
-      problem = "all components have failed";
-    if (ended && ended->first != success)
-      problem = "the system ended: " + ended->second;
-    else if (ended)
-      run_.facts.emplace_back("ended by", ended->second);
-    check("survival", problem.empty(), faults::rounded(setup_.duration) + " of faults");
-    if (!problem.empty())
-      violation("survival", problem);
-  }
-
-  void compare(const std::vector<std::string>& wanted, const std::vector<std::string>& got) {
-    if (setup_.compared.types.empty())
-      return;
-    auto text = difference(wanted, got);
-    check("state as without faults", text.empty(),
-          fmt::format("{} entries of the types {}", wanted.size(),
-                      list_of(setup_.compared.types, setup_.compared.types.size())));
-    if (!text.empty())
-      violation("state as without faults", text);
-  }
-
-  faults::WorkloadRecord look_at_work(WorkloadRun& work, const std::string& when) {
-    auto record = work.end();
-    auto total = record.total();
-    auto undone = faults::actions_missing(record);
-    if (when.empty())
-      check("workload done", undone.empty(),
-            fmt::format("{} of {} actions", total.done, total.due));
-    if (!undone.empty())
-      violation("workload done" + when, undone);
-    auto& within = setup_.workload->workload.answer_within;
-    if (!within)
-      return record;
-    auto missing = faults::answers_missing(work.sentences(), within);
-    if (when.empty())
-      check("sentences answered", missing.empty(),
-            fmt::format("{} sentences, within {}", total.said, faults::rounded(*within)));
-    if (!missing.empty())
-      violation("sentences answered" + when, missing);
-    return record;
-  }
-
-  const std::vector<faults::ForbiddenChange>& forbidden() const {
-    static const std::vector<faults::ForbiddenChange> none;
-    return setup_.workload ? setup_.workload->workload.never : none;
-  }
-
-  void look_at_forbidden(const ForbiddenChanges& forbidden, const std::string& when) {
-    if (this->forbidden().empty())
-      return;
-    auto problems = forbidden.violations();
-    if (when.empty())
-      check("no forbidden change", problems.empty(),
-            fmt::format("{} filters", this->forbidden().size()));
-    for (auto& x : problems)
-      violation("no forbidden change" + when, x);
-  }
-
-  const std::vector<faults::ExpectedChange>& expected_changes() const {
-    static const std::vector<faults::ExpectedChange> none;
-    return setup_.workload ? setup_.workload->workload.each : none;
   }
 
   static void watch(SystemOptions& options, faults::ExpectedChanges& expected) {
@@ -422,7 +363,7 @@ private:
 
   /// Lets entries become what they are to become.
   void await(faults::ExpectedChanges& expected, System& system) {
-    if (expected_changes().empty())
+    if (checks_.demanded().empty())
       return;
     constexpr auto look_every = 200ms;
     show_step("waiting until all entries are as they are to become");
@@ -438,89 +379,11 @@ private:
     }
   }
 
-  void look_at_expected(const faults::ExpectedChanges& expected, const std::string& when) {
-    if (expected_changes().empty())
-      return;
-    auto problems = expected.violations();
-    if (when.empty())
-      check("expected changes", problems.empty(),
-            faults::counted(expected.begun(), "entry", "entries") + ", within " +
-              faults::rounded(expected.patience()));
-    for (auto& x : problems)
-      violation("expected changes" + when, x);
-  }
-
-  void look_at_outages(const std::vector<faults::LifeNote>& notes, Timestamp end) {
-    run_.outages =
-      faults::outages_of(notes, [this](const std::string&) { return Timestamp{setup_.bound}; });
-    for (auto& x : run_.outages)
-      x.kind = faults::word_for(setup_.targets, x.target);
-    auto late = faults::late_recoveries(run_.outages, end);
-    check("back or given up in time", late.empty(),
-          fmt::format("{} outages, bound {}", run_.outages.size(), faults::rounded(setup_.bound)));
-    for (auto& x : late)
-      violation("back or given up in time", x);
-  }
-
-  void look_at_components(const SystemSummary& summary) {
-    std::string down;
-    for (auto& x : summary.components)
-      if (x.state == ComponentState::failed)
-        down += x.identity.full_name() + " is down: " + x.failure + '\n';
-    check("all components run in the end", down.empty(),
-          fmt::format("{} components", summary.components.size()));
-    if (!down.empty())
-      violation("all components run in the end", down);
-  }
-
-  static bool clocks_jump(const faults::FaultPlan& plan) {
-    auto jumps = [](auto& fault) { return std::holds_alternative<faults::JumpClock>(fault); };
-    return std::ranges::any_of(plan.statements,
-                               [&](auto& x) { return std::ranges::any_of(x.faults, jumps); });
-  }
-
-  void look_at_histories(const HistoryWatch& histories) {
-    using Verdict = faults::CheckRecord::Verdict;
-    using Kind = linearizability::Verdict::Kind;
-    auto judged =
-      histories.judge([this](const std::string& name) { show_step("checking " + name); });
-    for (auto& [name, x] : judged) {
-      auto verdict = x.verdict == Kind::ok          ? Verdict::held
-                     : x.verdict == Kind::violation ? Verdict::violated
-                                                    : Verdict::undecided;
-      run_.checks.push_back({name, verdict, x.grounds});
-      if (verdict == Verdict::violated)
-        violation(name, x.report);
-    }
-  }
-
-  void look_at_resources(std::vector<faults::ProcessResources> resources) {
-    run_.resources = std::move(resources);
-    faults::ResourceTolerance tolerance;
-    if (setup_.workload && setup_.workload->workload.growth_within)
-      tolerance.memory = static_cast<double>(*setup_.workload->workload.growth_within);
-    bool good = true;
-    for (auto& process : run_.resources)
-      for (auto& leak : faults::leaks(process, tolerance)) {
-        violation("memory, files and threads", leak);
-        good = false;
-      }
-    check("memory, files and threads", good, fmt::format("{} processes", run_.resources.size()));
-  }
-
-  void check(const std::string& name, bool held, const std::string& grounds) {
-    using Verdict = faults::CheckRecord::Verdict;
-    run_.checks.push_back({name, held ? Verdict::held : Verdict::violated, grounds});
-  }
-
-  void violation(const std::string& name, const std::string& text) {
-    run_.violations.push_back({name, text, {}, run_.seed, run_.command});
-  }
-
   const ChaosSetup& setup_;
   const Signals& signals_;
   Progress& progress_;
   faults::ChaosRun& run_;
+  ChaosChecks checks_;
   std::mutex progress_mutex_;
   std::function<void()> faults_so_far_;
 };
@@ -535,14 +398,14 @@ FaultlessRun run_without_faults(const ChaosSetup& setup, std::uint64_t seed, con
                                 Progress& progress) {
   faults::ChaosRun run;
   run.seed = seed;
-  return Trial{setup, signals, progress, run}.without_faults();
+  return Trial{setup, signals, progress, run, " without faults"}.without_faults();
 }
 
 void run_with_faults(const ChaosSetup& setup, const faults::FaultPlan& plan,
                      const std::vector<std::string>& wanted, const Signals& signals,
                      Progress& progress, faults::ChaosRun& run,
                      const std::function<void()>& report) {
-  Trial{setup, signals, progress, run}.with_faults(plan, wanted, report);
+  Trial{setup, signals, progress, run, {}}.with_faults(plan, wanted, report);
 }
 
 } // namespace castor::cli
