@@ -191,7 +191,7 @@ class Segmentor final : public LooksAtScene<ManagedComponent> {
   }
 
   std::optional<AlignedBox> place(const ROI& roi, const vision::Camera& camera) const {
-    return extent_on_table(camera, roi.contour, false);
+    return extent_on_table(camera, roi.contour);
   }
 
   void add_object(ROI roi, const vision::Camera& camera) {

@@ -188,7 +188,7 @@ struct Outline {
 
 /// Nothing if the region's foot is not on the visible table.
 std::optional<Outline> outline_of(const ROI& roi, const Camera& camera) {
-  const auto extent = extent_on_table(camera, roi.contour, false);
+  const auto extent = extent_on_table(camera, roi.contour);
   const int pixels = cv::countNonZero(as_mat(roi.mask));
   if (!extent || !(extent->size.x > 0) || pixels == 0)
     return {};

@@ -1,7 +1,5 @@
 #include "castor/perception/vision/recognition/regions.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -49,8 +47,8 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
     features.shapes =
       classify_shape(features.shape_evidence, shape, network, outline_deviations(roi, *camera));
   if (camera != nullptr) {
-    const bool flat = is_flat_shape(best_of(features.shapes).value);
-    features.extent = extent_on_table(*camera, roi.contour, flat).value_or(AlignedBox{});
+    features.extent =
+      extent_on_table(*camera, roi.contour, best_of(features.shapes).value).value_or(AlignedBox{});
     features.is_extent_assumed = camera->is_assumed;
   }
   return features;
@@ -58,11 +56,6 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
 
 Hypothesis best_of(std::span<const Hypothesis> ranked) {
   return ranked.empty() ? Hypothesis{} : ranked.front();
-}
-
-bool is_flat_shape(const std::string& shape) {
-  constexpr std::array flat{"square", "rectangle", "triangle", "circle"};
-  return std::find(flat.begin(), flat.end(), shape) != flat.end();
 }
 
 std::vector<Region> find_regions(const Image& image, const Camera* camera,

@@ -35,9 +35,6 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera = nullptr,
 /// The best of ranked hypotheses; "unknown" with confidence 0 if there are none.
 Hypothesis best_of(std::span<const Hypothesis> ranked);
 
-/// Whether a shape of this name lies flat on the table.
-bool is_flat_shape(const std::string& shape);
-
 /// A region with the hypotheses about it.
 struct Region {
   ROI roi;

@@ -6,6 +6,7 @@
 
 #include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/mapping/geometry/eigen_ray.hpp"
+#include "castor/perception/vision/recognition/shape_classifier.hpp"
 
 namespace castor::vision {
 
@@ -56,8 +57,19 @@ Eigen::Vector2d away_in_picture(const Camera& camera, std::span<const Point2> co
   return way.norm() > 0 ? Eigen::Vector2d(way.normalized()) : upwards;
 }
 
-std::optional<AlignedBox> solid_extent(const Camera& camera, std::span<const Point2> contour) {
-  // As if the picture were turned such that the solid's far side is up.
+/// The ends of a solid's outline, as if the picture were turned such that its far side is up.
+struct OutlineEnds {
+  /// Of the lowest ray on the table.
+  Vector3d foot;
+  EigenRay bottom;
+  EigenRay top;
+  EigenRay left;
+  EigenRay right;
+  /// Level, away from the camera, of length 1.
+  Vector3d away;
+};
+
+std::optional<OutlineEnds> ends_of(const Camera& camera, std::span<const Point2> contour) {
   const auto up = away_in_picture(camera, contour);
   const Eigen::Vector2d right(-up.y(), up.x());
   const auto height_of = [&](const Point2& x) { return up.x() * x.x + up.y() * x.y; };
@@ -70,31 +82,68 @@ std::optional<AlignedBox> solid_extent(const Camera& camera, std::span<const Poi
   const auto [bottom, top] = std::ranges::minmax(contour, {}, height_of);
   const double middle = (column_of(*first) + column_of(*last)) / 2;
   // Contours run through pixel centres; the region reaches half a pixel further.
-  const auto foot = back_project(camera, pixel(middle, height_of(bottom) - 0.5));
+  const auto bottom_pixel = pixel(middle, height_of(bottom) - 0.5);
+  const auto foot = back_project(camera, bottom_pixel);
+  const auto bottom_ray = viewing_ray(camera, bottom_pixel);
   const auto top_ray = viewing_ray(camera, pixel(middle, height_of(top) + 0.5));
   const auto left_ray = viewing_ray(camera, pixel(column_of(*first) - 0.5, height_of(*first)));
   const auto right_ray = viewing_ray(camera, pixel(column_of(*last) + 0.5, height_of(*last)));
-  if (!foot || !top_ray || !left_ray || !right_ray)
+  if (!foot || !bottom_ray || !top_ray || !left_ray || !right_ray)
     return std::nullopt;
   const Vector3d away(foot->x - camera.pose.position.x, foot->y - camera.pose.position.y, 0);
   if (away.norm() <= 0)
     return std::nullopt;
-  const Vector3d direction = away.normalized();
+  return OutlineEnds{to_eigen(*foot),     to_eigen(*bottom_ray), to_eigen(*top_ray),
+                     to_eigen(*left_ray), to_eigen(*right_ray),  away.normalized()};
+}
+
+/// Its middle is between the highest and the lowest ray, as high as it is wide.
+std::optional<AlignedBox> ball_extent(const Camera& camera, const OutlineEnds& ends) {
+  const Vector3d top = ends.top.direction().normalized();
+  const Vector3d bottom = ends.bottom.direction().normalized();
+  const Vector3d middle = (top + bottom).normalized();
+  const double sine = std::sqrt(std::max(0.0, (1 - top.dot(bottom)) / 2));
+  // Its radius, and height, is this share of its distance.
+  const double distance = ends.top.origin().z() / (sine - middle.z());
+  if (!(distance > 0))
+    return std::nullopt;
+  const Vector3d centre = ends.top.origin() + distance * middle;
+  const double width = 2 * distance * sine;
+  return AlignedBox{to_point(centre), {width, width, width}, camera.pose.frame};
+}
+
+std::optional<AlignedBox> solid_extent(const Camera& camera, std::span<const Point2> contour,
+                                       const std::string& shape) {
+  const auto ends = ends_of(camera, contour);
+  if (!ends)
+    return std::nullopt;
+  if (shape == "sphere")
+    return ball_extent(camera, *ends);
+  const auto& direction = ends->away;
   // The widest part is half its width behind the foot; each round is nearer to what that means.
   constexpr int rounds = 4;
   double width = 0;
-  Vector3d centre = to_eigen(*foot);
+  Vector3d centre = ends->foot;
   for (int round = 0; round < rounds; ++round) {
-    const auto left_end = meet(to_eigen(*left_ray), centre, direction);
-    const auto right_end = meet(to_eigen(*right_ray), centre, direction);
+    const auto left_end = meet(ends->left, centre, direction);
+    const auto right_end = meet(ends->right, centre, direction);
     if (!left_end || !right_end)
       return std::nullopt;
     width = std::hypot(right_end->x() - left_end->x(), right_end->y() - left_end->y());
-    centre = to_eigen(*foot) + (width / 2) * direction;
+    centre = ends->foot + (width / 2) * direction;
   }
-  // The upper end of the outline is somewhere between the axis of the solid and its far side.
-  const auto top_end = meet(to_eigen(*top_ray), centre + (width / 4) * direction, direction);
-  const double height = top_end ? std::max(0.0, top_end->z()) : 0;
+  const auto height_at = [&](double beyond) {
+    const auto end = meet(ends->top, centre + beyond * direction, direction);
+    return end ? std::max(0.0, end->z()) : 0;
+  };
+  // From above, the upper end of the outline of what is upright is the far side of its top, else
+  // the near side. Of other shapes it is somewhere between the axis and the far side.
+  double height = height_at(width / 4);
+  if (shape == "cylinder" || shape == "cube") {
+    height = height_at(width / 2);
+    if (height > camera.pose.position.z)
+      height = height_at(-width / 2);
+  }
   return AlignedBox{
     {centre.x(), centre.y(), height / 2}, {width, width, height}, camera.pose.frame};
 }
@@ -102,10 +151,10 @@ std::optional<AlignedBox> solid_extent(const Camera& camera, std::span<const Poi
 } // namespace
 
 std::optional<AlignedBox> extent_on_table(const Camera& camera, std::span<const Point2> contour,
-                                          bool flat) {
+                                          const std::string& shape) {
   if (contour.empty())
     return std::nullopt;
-  return flat ? flat_extent(camera, contour) : solid_extent(camera, contour);
+  return is_flat_shape(shape) ? flat_extent(camera, contour) : solid_extent(camera, contour, shape);
 }
 
 std::vector<Hypothesis> judge_size(const AlignedBox& extent, bool is_assumed,

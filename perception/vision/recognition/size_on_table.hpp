@@ -13,13 +13,15 @@ namespace castor::vision {
 /// whose plane z = 0 is the table. Nothing if its foot is not on the
 /// table: at or above the horizon.
 ///
-/// As an image has no depth, these are assumptions: the lowest point of the outline touches the
-/// table; a solid is as deep as it is wide, and stands upright. For a flat piece, the whole outline
-/// is on the table.
+/// As an image has no depth, these are assumptions: a solid is as deep as it is wide, and stands
+/// upright; of all but balls, the lowest point of the outline touches the table. The highest is the
+/// far side of the top of cubes and cylinders, the near side if that is above the camera, and half
+/// way to the far side for other names. For a flat piece, the whole outline is on the table.
 ///
 /// \param contour image coordinates.
+/// \param shape as vision names it; any other name if it is not known.
 std::optional<AlignedBox> extent_on_table(const Camera& camera, std::span<const Point2> contour,
-                                          bool flat);
+                                          const std::string& shape = {});
 
 /// Options for "large" and "small".
 struct SizeOptions {

@@ -10,7 +10,7 @@ namespace {
 
 /// What does not stand on the table has no length, and is not shorter.
 bool is_shorter(const Segment& segment, const Camera& camera, double length) {
-  const auto box = extent_on_table(camera, segment.contour, false);
+  const auto box = extent_on_table(camera, segment.contour);
   return box && std::max({box->size.x, box->size.y, box->size.z}) < length;
 }
 
