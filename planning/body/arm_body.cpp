@@ -61,11 +61,12 @@ CollisionChecker& ArmBody::checker() {
     CollisionOptions options;
     options.margin = 0;
     options.opening = opening_;
-    if (!slipped_.empty())
-      options.may_touch.push_back(slipped_);
+    for (const auto& name : {slipped_, let_go_})
+      if (!name.empty())
+        options.may_touch.push_back(name);
     // Fingers that move push it to where they meet, or let go of it.
     if (wanted_opening_ != opening_)
-      if (const auto* thing = world_.between_fingers(*arm_.gripper, tool()))
+      if (const auto* thing = world_.between_fingers(*arm_.gripper, tool(), opening_))
         options.may_touch.push_back(thing->thing.name);
     auto scene = world_.scene();
     if (scene.held)
@@ -80,6 +81,7 @@ void ArmBody::command(const ArmCommand& command, std::chrono::microseconds holds
     fault_.clear();
     fault_joint_.clear();
     motion_ = command.motion;
+    pushed_.clear();
   }
   if (fault_.empty()) {
     reference_.follow(command);
@@ -152,24 +154,25 @@ void ArmBody::move_joints(double seconds) {
 std::optional<Contact> ArmBody::contact_at(const Configuration& positions) {
   auto contact = checker().contact(positions);
   while (contact && pushes_ && contact->part == "the gripper" && !contact->is_of_arm) {
-    if (!push_away(contact->other, positions))
+    const auto from = tool().position;
+    const auto to = tool_pose(arm_, positions).position;
+    if (!push_away(contact->other, positions, to.x - from.x, to.y - from.y))
       return contact;
     contact = checker().contact(positions);
   }
   return contact;
 }
 
-bool ArmBody::push_away(const std::string& thing, const Configuration& positions) {
-  const auto from = tool().position;
-  const auto to = tool_pose(arm_, positions).position;
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
+bool ArmBody::push_away(const std::string& thing, const Configuration& positions, double along_x,
+                        double along_y) {
+  const double length = std::hypot(along_x, along_y);
   const auto& things = world_.things();
   const bool is_thing = std::ranges::any_of(
     things, [&](const auto& x) { return x.thing.name == thing && x.support != "the floor"; });
   if (!is_thing || length < 1e-9)
     return false;
-  const double x = (to.x - from.x) / length * push_step;
-  const double y = (to.y - from.y) / length * push_step;
+  const double x = along_x / length * push_step;
+  const double y = along_y / length * push_step;
   for (int i = 0; i < most_push_steps; ++i) {
     if (!world_.push(thing, x, y))
       return false;
@@ -190,17 +193,61 @@ void ArmBody::move_fingers(double seconds) {
   if (wanted_opening_ > opening_) {
     if (world_.open_gripper())
       loses_at_.reset();
-    slipped_.clear();
-    opening_ = std::min(wanted_opening_, opening_ + change);
+    open_fingers(std::min(wanted_opening_, opening_ + change));
+    if (opening_ == wanted_opening_)
+      slipped_.clear();
   } else if (!world_.held()) {
     opening_ = std::max(wanted_opening_, opening_ - change);
-    const auto* thing = world_.between_fingers(*arm_.gripper, tool());
+    const auto* thing = world_.between_fingers(*arm_.gripper, tool(), opening_);
     if (thing && thing->thing.name != slipped_)
       grasp(*thing);
   }
   if (opening_ != before)
     ++changes_;
   checker_.reset();
+}
+
+void ArmBody::open_fingers(double opening) {
+  const auto* between = world_.between_fingers(*arm_.gripper, tool(), opening_);
+  let_go_ = between ? between->thing.name : std::string{};
+  checker_.reset();
+  if (const auto contact = contact_when_open(opening))
+    stop_at_contact(*contact);
+  else
+    opening_ = opening;
+  let_go_.clear();
+  checker_.reset();
+}
+
+std::optional<Contact> ArmBody::contact_when_open(double opening) {
+  // What they touch already, as it has turned when it was let go, is not what they open against.
+  if (!checker().is_free(positions_))
+    return {};
+  const double before = std::exchange(opening_, opening);
+  checker_.reset();
+  const auto across = geometry::rotate(tool().rotation, Point3{0, 1, 0});
+  auto contact = checker().contact(positions_);
+  while (contact && contact->part == "the gripper" && !contact->is_of_arm) {
+    const auto name = contact->other;
+    if (!push_outwards(name, across))
+      break;
+    count_push(name);
+    contact = checker().contact(positions_);
+  }
+  opening_ = before;
+  return contact;
+}
+
+bool ArmBody::push_outwards(const std::string& thing, const Point3& across) {
+  const auto found =
+    std::ranges::find(world_.things(), thing, [](const WorldThing& x) { return x.thing.name; });
+  if (found == world_.things().end())
+    return false;
+  const auto at = found->thing.pose.position;
+  const auto middle = tool().position;
+  const bool is_ahead = (at.x - middle.x) * across.x + (at.y - middle.y) * across.y >= 0;
+  const double sign = is_ahead ? 1 : -1;
+  return push_away(thing, positions_, sign * across.x, sign * across.y);
 }
 
 /// Once the fingers have come to it.
@@ -222,7 +269,7 @@ void ArmBody::grasp(const WorldThing& thing) {
   const double off =
     (at.x - centre.x) * y_axis.x + (at.y - centre.y) * y_axis.y + (at.z - centre.z) * y_axis.z;
   world_.push(thing.thing.name, -off * y_axis.x, -off * y_axis.y);
-  world_.close_gripper(*arm_.gripper, tool());
+  world_.close_gripper(*arm_.gripper, tool(), opening_);
   if (std::bernoulli_distribution(options_.dropped)(random_)) {
     const double after =
       std::uniform_real_distribution(0.5, std::max(0.6, options_.dropped_within))(random_);
@@ -250,6 +297,14 @@ void ArmBody::stop_at_contact(const Contact& contact) {
   }
   stop(text);
   reference_.stay(positions_);
+}
+
+void ArmBody::count_push(const std::string& thing) {
+  if (pushed_ == thing)
+    return;
+  pushed_ = thing;
+  ++collisions_;
+  collision_ = "the opening gripper pushes " + thing;
 }
 
 void ArmBody::stop(std::string fault) {

@@ -48,9 +48,10 @@ struct SavedArm {
 /// and the steps before which they come, and on nothing else.
 ///
 /// Joints keep the limits of the arm's file. A step that would take the arm into something is not
-/// done: the arm stands, and that is a collision. Fingers that close on a thing hold it, but what is
-/// round slips out if they do not touch it where it is widest. Things are pushed by the gripper if
-/// the command says so.
+/// done: the arm stands, and that is a collision. Fingers that close on a thing hold it, but what
+/// is round slips out if they do not touch it where it is widest. Things are pushed by the gripper
+/// if the command says so. Fingers that open push what stands beside them; that is a collision,
+/// too, and they stop where it cannot give way.
 class ArmBody {
 public:
   /// \throws std::invalid_argument if `start` is no configuration within the limits, or in contact
@@ -102,7 +103,15 @@ private:
   void move_fingers(double seconds);
   /// Moves things that the gripper pushes there. Returns what it touches all the same.
   std::optional<Contact> contact_at(const Configuration& positions);
-  bool push_away(const std::string& thing, const Configuration& positions);
+  /// In a direction, until the arm is free of it with its joints there. False if it is not then.
+  bool push_away(const std::string& thing, const Configuration& positions, double along_x,
+                 double along_y);
+  /// So far. They push what stands outside of them, or stop where it cannot be pushed.
+  void open_fingers(double opening);
+  std::optional<Contact> contact_when_open(double opening);
+  /// @param across the way that the fingers go
+  bool push_outwards(const std::string& thing, const Point3& across);
+  void count_push(const std::string& thing);
   void grasp(const WorldThing& thing);
   void lose();
   void stop_at_contact(const Contact& contact);
@@ -133,6 +142,10 @@ private:
   std::optional<std::int64_t> loses_at_;
   std::int64_t collisions_ = 0;
   std::string collision_;
+  /// Thing between the fingers while they open.
+  std::string let_go_;
+  /// Thing that opening fingers have pushed in this motion.
+  std::string pushed_;
   std::int64_t missed_ = 0;
   std::int64_t dropped_ = 0;
   double moved_ = 0;

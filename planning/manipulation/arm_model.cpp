@@ -113,4 +113,8 @@ std::vector<PlacedSolid> fingers(const ArmModel& arm, double opening) {
   return {{finger, {{0, y, z}, {}, {}}}, {finger, {{0, -y, z}, {}, {}}}};
 }
 
+Solid gap_between_fingers(const Gripper& gripper, double opening) {
+  return box(gripper.finger.x / 2, std::max(opening, 1e-6), 2 * gripper.beyond);
+}
+
 } // namespace castor::manipulation

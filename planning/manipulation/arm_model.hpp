@@ -98,4 +98,8 @@ std::vector<double> lever_arms(const ArmModel& arm, double beyond_tool);
 /// The fingers in the tool's frame, opened that far, metres. Empty without a gripper.
 std::vector<PlacedSolid> fingers(const ArmModel& arm, double opening);
 
+/// What is in the way of the fingers' middles when they close, around the tool's origin.
+/// @param opening metres
+Solid gap_between_fingers(const Gripper& gripper, double opening);
+
 } // namespace castor::manipulation

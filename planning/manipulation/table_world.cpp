@@ -141,11 +141,12 @@ void TableWorld::remove(const std::string& name) {
   settle(above);
 }
 
-std::optional<std::string> TableWorld::close_gripper(const Gripper& gripper, const Pose& tool) {
+std::optional<std::string> TableWorld::close_gripper(const Gripper& gripper, const Pose& tool,
+                                                     double opening) {
   tool_ = tool;
   if (const auto* thing = held())
     return thing->thing.name;
-  const auto found = between(gripper, tool);
+  const auto found = between(gripper, tool, opening);
   if (found == things_.size())
     return {};
   things_[found].support = the_gripper;
@@ -153,16 +154,17 @@ std::optional<std::string> TableWorld::close_gripper(const Gripper& gripper, con
 }
 
 /// Index of the thing, or the number of things.
-std::size_t TableWorld::between(const Gripper& gripper, const Pose& tool) const {
+std::size_t TableWorld::between(const Gripper& gripper, const Pose& tool, double opening) const {
   // A thing is grasped if it is in the way of the fingers' middles.
-  const NamedSolid gap{"", box(gripper.finger.x / 2, gripper.widest, 2 * gripper.beyond), tool};
+  const NamedSolid gap{"", gap_between_fingers(gripper, opening), tool};
   const auto found = std::ranges::find_if(
     things_, [&](const auto& x) { return x.support != the_floor && overlap(x.thing, gap); });
   return static_cast<std::size_t>(found - things_.begin());
 }
 
-const WorldThing* TableWorld::between_fingers(const Gripper& gripper, const Pose& tool) const {
-  const auto found = between(gripper, tool);
+const WorldThing* TableWorld::between_fingers(const Gripper& gripper, const Pose& tool,
+                                              double opening) const {
+  const auto found = between(gripper, tool, opening);
   return found == things_.size() ? nullptr : &things_[found];
 }
 

@@ -34,12 +34,15 @@ public:
   /// \throws std::invalid_argument if there is none of this name.
   void remove(const std::string& name);
 
-  /// The thing that is between the fingers with the tool at that pose, or null.
-  const WorldThing* between_fingers(const Gripper& gripper, const Pose& tool) const;
+  /// The thing that is between the fingers, which are so far open, with the tool at that pose, or
+  /// null.
+  const WorldThing* between_fingers(const Gripper& gripper, const Pose& tool, double opening) const;
 
-  /// Closes the gripper with the tool at that pose: it holds the thing that is between its fingers,
-  /// if it holds none yet. Returns its name, or nothing if the fingers close on each other.
-  std::optional<std::string> close_gripper(const Gripper& gripper, const Pose& tool);
+  /// Closes the gripper, which is so far open, with the tool at that pose: it holds the thing that
+  /// is between its fingers, if it holds none yet. Returns its name, or nothing if the fingers
+  /// close on each other.
+  std::optional<std::string> close_gripper(const Gripper& gripper, const Pose& tool,
+                                           double opening);
 
   /// Moves the tool with what the gripper holds.
   void move_tool(const Pose& tool);
@@ -71,7 +74,7 @@ public:
 
 private:
   std::size_t index_of(const std::string& name) const;
-  std::size_t between(const Gripper& gripper, const Pose& tool) const;
+  std::size_t between(const Gripper& gripper, const Pose& tool, double opening) const;
   /// Indices of a thing and of what stands on it, from below.
   std::vector<std::size_t> stack(std::size_t bottom) const;
   void settle(const std::vector<std::size_t>& from_below);

@@ -1,6 +1,7 @@
 #include "castor/mapping/geometry/poses.hpp"
 #include "castor/planning/manipulation/kinematics.hpp"
 #include "castor/planning/manipulation/manipulation_planner.hpp"
+#include "castor/planning/manipulation/plan_scene.hpp"
 #include "castor/planning/manipulation/scene.hpp"
 
 #include <algorithm>
@@ -97,18 +98,35 @@ std::vector<std::string> ManipulationPlanner::touched(const Scene& scene, const 
   }
 }
 
-/// As far as the gripper can open where it is without touching anything else.
+/// As far as the gripper can open where it is without pushing anything.
 double ManipulationPlanner::opened(const Scene& scene, const Configuration& at,
                                    double opening) const {
-  const auto before = touched(scene, at, opening, options_.motions.collisions.margin);
-  const double widest = arm_.gripper->widest;
+  const double margin = options_.motions.collisions.margin;
+  const auto tool = tool_pose(arm_, at);
+  const auto near = touched(scene, at, opening, margin);
+  const NamedSolid gap{"", gap_between_fingers(*arm_.gripper, opening), tool};
+  const auto seen = exactly(scene);
+  // Fingers leave what is between them; what is beside them is not to be nearer than this.
+  constexpr double beside = 0.001;
+  const auto is_pushed = [&](double wide) {
+    const auto is_outside = [&](const std::string& x) { return !overlap(named(scene, x), gap); };
+    const auto now = touched(scene, at, wide, margin);
+    const auto exact = touched(seen, at, wide, beside);
+    return std::ranges::any_of(now, [&](const auto& x) {
+      return is_outside(x) &&
+             (std::ranges::count(near, x) == 0 || std::ranges::count(exact, x) > 0);
+    });
+  };
+  // So small that fingers do not skip anything.
   constexpr double step = 0.01;
-  for (double wide = widest; wide > opening; wide -= step) {
-    const auto now = touched(scene, at, wide, options_.motions.collisions.margin);
-    if (std::ranges::all_of(now, [&](const auto& x) { return std::ranges::count(before, x) > 0; }))
-      return wide;
+  double result = opening;
+  while (result < arm_.gripper->widest) {
+    const double wide = std::min(arm_.gripper->widest, result + step);
+    if (is_pushed(wide))
+      break;
+    result = wide;
   }
-  return opening;
+  return result;
 }
 
 /// On these, nothing is touched that is not touched where they begin, and in the end nothing.

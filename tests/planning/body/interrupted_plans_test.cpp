@@ -137,8 +137,8 @@ TEST_F(InterruptedPlans, LeaveAWayHomeFromWhatNobodyHasSeen) {
     plan.stages.back().opening = any(0.052, 0.06);
     carry_out_until(plan, 100'000);
     ASSERT_EQ(body_->world().thing("the ball").support, "the table");
-    around += body_->world().between_fingers(*arm_.gripper,
-                                             tool_pose(arm_, body_->configuration())) != nullptr;
+    around += body_->world().between_fingers(*arm_.gripper, tool_pose(arm_, body_->configuration()),
+                                             body_->opening()) != nullptr;
     EXPECT_EQ(go_home(unseen, true), "") << "seed " << seed;
   }
   EXPECT_EQ(around, 12);

@@ -88,9 +88,9 @@ TEST(TableWorld, ThingsArePushedOverTheEdge) {
 TEST(TableWorld, WhatIsHeldIsNotPushed) {
   auto world = table();
   world.add(cube_at("one", 0.2, 0, 0.02));
-  ASSERT_NE(world.between_fingers(gripper, from_above({0.2, 0, 0.02})), nullptr);
-  EXPECT_EQ(world.between_fingers(gripper, from_above({0.4, 0, 0.02})), nullptr);
-  world.close_gripper(gripper, from_above({0.2, 0, 0.02}));
+  ASSERT_NE(world.between_fingers(gripper, from_above({0.2, 0, 0.02}), gripper.widest), nullptr);
+  EXPECT_EQ(world.between_fingers(gripper, from_above({0.4, 0, 0.02}), gripper.widest), nullptr);
+  world.close_gripper(gripper, from_above({0.2, 0, 0.02}), gripper.widest);
   EXPECT_FALSE(world.push("one", 0.02, 0));
 }
 
@@ -120,7 +120,7 @@ TEST(TableWorld, TheGripperCarriesAThingAndWhatStandsOnIt) {
   auto world = table();
   world.add(cube_at("below", 0.2, 0, 0.1));
   world.add(cube_at("above", 0.2, 0.01, 0.1));
-  ASSERT_EQ(world.close_gripper(gripper, from_above({0.2, 0, 0.02})), "below");
+  ASSERT_EQ(world.close_gripper(gripper, from_above({0.2, 0, 0.02}), gripper.widest), "below");
   EXPECT_EQ(world.held()->thing.name, "below");
   world.move_tool(from_above({0.2, 0.3, 0.2}));
   EXPECT_NEAR(world.thing("above").thing.pose.position.y, 0.31, 1e-9);
@@ -135,10 +135,18 @@ TEST(TableWorld, TheGripperCarriesAThingAndWhatStandsOnIt) {
   EXPECT_EQ(world.held(), nullptr);
 }
 
+TEST(TableWorld, WhatStandsOutsideOfTheFingersIsNotBetweenThem) {
+  auto world = table();
+  world.add(cube_at("the cube", 0.2, 0.06, 0.02));
+  EXPECT_NE(world.between_fingers(gripper, from_above({0.2, 0, 0.02}), 0.09), nullptr);
+  EXPECT_EQ(world.between_fingers(gripper, from_above({0.2, 0, 0.02}), 0.07), nullptr);
+  EXPECT_FALSE(world.close_gripper(gripper, from_above({0.2, 0, 0.02}), 0.07));
+}
+
 TEST(TableWorld, TheGripperClosesOnNothing) {
   auto world = table();
   world.add(cube_at("the cube", 0.2, 0, 0.1));
-  EXPECT_FALSE(world.close_gripper(gripper, from_above({0.3, 0, 0.02})));
+  EXPECT_FALSE(world.close_gripper(gripper, from_above({0.3, 0, 0.02}), gripper.widest));
   EXPECT_FALSE(world.open_gripper());
 }
 
