@@ -8,6 +8,7 @@
 // GRIP: newtons of each finger. FRICTION: of fingers.
 
 #include "castor/benchmarks/manipulation/physics/physical_table.hpp"
+#include "castor/benchmarks/manipulation/place_goal.hpp"
 #include "castor/benchmarks/manipulation/random_table.hpp"
 #include "castor/mapping/geometry/poses.hpp"
 #include "castor/planning/manipulation/arm_file.hpp"
@@ -122,11 +123,7 @@ int measure(const Settings& settings) {
     for (const auto& x : task.things)
       scene.things.push_back(solid_of(x, at));
     const auto thing = task.things.front().name();
-    PlaceGoal goal;
-    goal.bottom = geometry::transform(geometry::inverse(at, arm_frame), Point3{task.x, task.y, 0});
-    goal.radius = 0.01;
-    goal.support = "the table";
-    const auto result = planner.pick_and_place(scene, thing, goal, start);
+    const auto result = planner.pick_and_place(scene, thing, goal_at({task.x, task.y}), start);
     if (const auto* failure = std::get_if<MotionFailure>(&result)) {
       fmt::print("{}: {}: no plan: {}\n", seed, thing, failure->text);
       continue;

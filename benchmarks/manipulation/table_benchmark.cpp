@@ -11,6 +11,7 @@
 #include "castor/actors/component/action_types.hpp"
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/benchmarks/manipulation/place_goal.hpp"
 #include "castor/benchmarks/manipulation/random_table.hpp"
 #include "castor/mapping/geometry/poses.hpp"
 #include "castor/perception/vision/tabletop/tabletop_scene_parser.hpp"
@@ -51,15 +52,12 @@ std::string unsolvable(const std::string& scene, const std::string& arm_file, co
   const auto at = arm_placement(benchmark_arm_at);
   const TableThings things(parsed.scene.at(vision::SceneTime{0}), at);
   const auto arm = load_arm(arm_file).arm;
-  PlaceGoal goal;
-  goal.bottom = geometry::transform(geometry::inverse(at, arm_frame), Point3{task.x, task.y, 0});
-  goal.radius = 0.01;
-  goal.support = "the table";
   ManipulationOptions options;
   options.grasps.spare = 0.024;
   const ManipulationPlanner planner(arm, options);
-  const auto result = planner.pick_and_place(things.world().scene(), task.things.front().name(),
-                                             goal, arm_posture(arm, benchmark_arm_rest));
+  const auto result =
+    planner.pick_and_place(things.world().scene(), task.things.front().name(),
+                           goal_at({task.x, task.y}), arm_posture(arm, benchmark_arm_rest));
   const auto* failure = std::get_if<MotionFailure>(&result);
   return failure ? failure->text : std::string{};
 }

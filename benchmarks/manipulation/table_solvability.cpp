@@ -1,3 +1,4 @@
+#include "castor/benchmarks/manipulation/place_goal.hpp"
 #include "castor/benchmarks/manipulation/table_relations.hpp"
 #include "castor/benchmarks/manipulation/table_tasks.hpp"
 
@@ -15,12 +16,18 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 #include <variant>
 
 namespace castor::manipulation {
 
 namespace {
+
+/// Whether a place will do for a thing.
+using WillDo = std::function<bool(const Spot&)>;
+/// Things that are to be moved, and the places that will do for them.
+using Moves = std::vector<std::pair<std::string, WillDo>>;
 
 /// Makes plans by the true places, one thing after the other.
 class TrueTable {
@@ -46,10 +53,7 @@ public:
 
   /// @param between whether it may be put down somewhere on the way
   bool move(const std::string& name, const Spot& to, bool between) {
-    PlaceGoal goal;
-    goal.bottom = geometry::transform(geometry::inverse(at_, arm_frame), Point3{to.x, to.y, 0});
-    goal.radius = 0.01;
-    goal.support = "the table";
+    const auto goal = goal_at(to);
     const auto before = scene_;
     auto& thing = *std::ranges::find(scene_.things, name, &NamedSolid::name);
     for (int i = 0; i < (between ? 2 : 0); ++i) {
@@ -68,8 +72,8 @@ public:
 
   /// To one of the free places that will do, the nearest first, and such that `then` can be done.
   bool move(
-    const std::string& name, const std::function<bool(const Spot&)>& will_do,
-    const std::function<bool()>& then = [] { return true; }) {
+    const std::string& name, const WillDo& will_do,
+    const std::function<bool()>& then = [] { return true; }, std::size_t most_tried = most_places) {
     const auto from = spot(name);
     const auto before = scene_;
     std::vector<Spot> free;
@@ -84,7 +88,7 @@ public:
     std::ranges::sort(free, {}, [&](const Spot& x) { return distance(x, from); });
     std::vector<Spot> tried;
     for (const auto& x : free)
-      if (tried.size() < most_places &&
+      if (tried.size() < most_tried &&
           std::ranges::none_of(tried, [&](const Spot& y) { return distance(x, y) < 0.05; }))
         tried.push_back(x);
     for (const bool between : {false, true}) {
@@ -96,6 +100,23 @@ public:
       tried.resize(std::min(tried.size(), most_places_between));
     }
     return false;
+  }
+
+  /// If need be, after one of the others that is in its way.
+  bool move_after(const std::string& name, const WillDo& will_do, const Moves& others) {
+    in_way_.clear();
+    if (move(name, will_do))
+      return true;
+    const auto why = failure_;
+    const auto in_way = in_way_;
+    const auto goes_first = [&](const auto& x) {
+      return x.first != name && in_way.contains(x.first) &&
+             move(
+               x.first, x.second, [&] { return move(name, will_do); }, most_places_between);
+    };
+    const bool is_possible = std::ranges::any_of(others, goes_first);
+    failure_ = why;
+    return is_possible;
   }
 
   const std::string& failure() const { return failure_; }
@@ -128,8 +149,10 @@ private:
   }
 
   bool keep(const ManipulationResult& result) {
-    if (const auto* failure = std::get_if<MotionFailure>(&result))
+    if (const auto* failure = std::get_if<MotionFailure>(&result)) {
       failure_ = failure->text;
+      in_way_.insert(failure->obstacles.begin(), failure->obstacles.end());
+    }
     return std::holds_alternative<ManipulationPlan>(result);
   }
 
@@ -139,16 +162,19 @@ private:
   ManipulationPlanner planner_;
   Scene scene_;
   std::string failure_;
+  /// Names of what was in the way.
+  std::set<std::string> in_way_;
 };
 
-/// Things that are to be moved, and the places that will do for them.
-using Moves = std::vector<std::pair<std::string, std::function<bool(const Spot&)>>>;
-
 /// Each as soon as it is possible.
-bool can_do_all(TrueTable& table, Moves moves) {
+/// @param movable may be moved before one of them
+bool can_do_all(TrueTable& table, Moves moves, const Moves& movable) {
   while (!moves.empty()) {
-    const auto done =
+    auto done =
       std::ranges::find_if(moves, [&](const auto& x) { return table.move(x.first, x.second); });
+    if (done == moves.end())
+      done = std::ranges::find_if(
+        moves, [&](const auto& x) { return table.move_after(x.first, x.second, movable); });
     if (done == moves.end())
       return false;
     moves.erase(done);
@@ -197,9 +223,10 @@ std::string why_unsolvable_from(const TableTask& task, const std::vector<RandomT
   Moves moves;
   switch (task.kind) {
     case TaskKind::put:
-      is_solvable = table.move(a.name(), [&](const Spot& x) {
-        return is_at(task.relation, a, x, b, {b.x, b.y}, true);
-      });
+      is_solvable = table.move_after(
+        a.name(),
+        [&](const Spot& x) { return is_at(task.relation, a, x, b, table.spot(b.name()), true); },
+        {{b.name(), [](const Spot&) { return true; }}});
       break;
     case TaskKind::take:
       is_solvable = table.take(a.name());
@@ -214,21 +241,23 @@ std::string why_unsolvable_from(const TableTask& task, const std::vector<RandomT
           moves.emplace_back(name, [&task, x = x](const Spot& to) {
             return on_side(task.relation, to) < -x->size / 2;
           });
-      is_solvable = can_do_all(table, moves);
+      is_solvable = can_do_all(table, moves, moves);
       break;
     }
     case TaskKind::sort: {
       const auto colours = colours_from_left(task.things);
       const double width = 2 * half_width / static_cast<double>(colours.size());
+      Moves all;
       for (const auto& [name, x] : table.things()) {
         const auto strip = std::ranges::find(colours, x->colour) - colours.begin();
         const auto is_in = [width, strip](const Spot& at) {
           return std::floor((at.x + half_width) / width) == static_cast<double>(strip);
         };
+        all.emplace_back(name, is_in);
         if (!is_in(table.spot(name)))
           moves.emplace_back(name, is_in);
       }
-      is_solvable = can_do_all(table, moves);
+      is_solvable = can_do_all(table, moves, all);
       break;
     }
   }

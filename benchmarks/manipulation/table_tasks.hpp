@@ -41,7 +41,8 @@ struct StillJoint {
 
 /// Why no plan was found by the true places of things, neither from the table as it was nor as it
 /// is now; empty if there is one. Of several things to be moved, the order is tried in which they
-/// are possible, of two that change places both orders, with up to 20 places between.
+/// are possible, of two that change places both orders, with up to 20 places between. One thing
+/// that is in the way is moved before, if the task is about it, too.
 /// @param arm_file of the arm
 /// @param still no plan needs this joint
 /// @param now true places; empty, or if not all stand on the table: does not count
