@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -57,11 +56,6 @@ const std::vector<std::string>& shape_vocabulary() {
   static const std::vector<std::string> vocabulary{"cube",      "cylinder", "sphere", "square",
                                                    "rectangle", "triangle", "circle"};
   return vocabulary;
-}
-
-bool is_flat_shape(const std::string& shape) {
-  constexpr std::array flat{"square", "rectangle", "triangle", "circle"};
-  return std::ranges::find(flat, shape) != flat.end();
 }
 
 std::size_t ShapeNetwork::size() const {

@@ -15,9 +15,6 @@ inline constexpr const char* round_shape = "round";
 /// Names of the shapes: solids, then flat pieces on the table.
 const std::vector<std::string>& shape_vocabulary();
 
-/// Whether a shape of this name lies flat on the table.
-bool is_flat_shape(const std::string& shape);
-
 /// The parameters of a perceptron with one hidden layer of tanh units and a softmax output.
 struct ShapeNetwork {
   int inputs = 0;

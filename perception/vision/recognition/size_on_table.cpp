@@ -1,12 +1,12 @@
 #include "castor/perception/vision/recognition/size_on_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/mapping/geometry/eigen_ray.hpp"
-#include "castor/perception/vision/recognition/shape_classifier.hpp"
 
 namespace castor::vision {
 
@@ -15,6 +15,11 @@ using namespace geometry;
 using Eigen::Vector3d;
 
 namespace {
+
+bool lies_flat(const std::string& shape) {
+  constexpr std::array flat{"square", "rectangle", "triangle", "circle"};
+  return std::ranges::find(flat, shape) != flat.end();
+}
 
 std::optional<AlignedBox> flat_extent(const Camera& camera, std::span<const Point2> contour) {
   Eigen::AlignedBox3d box;
@@ -154,7 +159,7 @@ std::optional<AlignedBox> extent_on_table(const Camera& camera, std::span<const 
                                           const std::string& shape) {
   if (contour.empty())
     return std::nullopt;
-  return is_flat_shape(shape) ? flat_extent(camera, contour) : solid_extent(camera, contour, shape);
+  return lies_flat(shape) ? flat_extent(camera, contour) : solid_extent(camera, contour, shape);
 }
 
 std::vector<Hypothesis> judge_size(const AlignedBox& extent, bool is_assumed,
