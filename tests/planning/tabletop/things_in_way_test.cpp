@@ -33,6 +33,23 @@ TEST(ThingsInWay, WhatWasMovedIsNotHinderedAnyMore) {
   EXPECT_THAT(things.facts(any), IsEmpty());
 }
 
+/// Or it would be moved back and forth for ever.
+TEST(ThingsInWay, WhatIsStillInTheWayAfterItWasMovedTwiceIsLeftThere) {
+  ThingsInWay things;
+  for (int i = 0; i < 2; ++i) {
+    things.refused("ball", {"box"});
+    EXPECT_THAT(things.facts(any), ElementsAre("(in-way box ball)"));
+    things.moved("box");
+  }
+  things.refused("ball", {"box"});
+  EXPECT_THAT(things.facts(any), IsEmpty());
+  things.refused("can", {"box"});
+  EXPECT_THAT(things.facts(any), ElementsAre("(in-way box can)"));
+  things.clear();
+  things.refused("ball", {"box"});
+  EXPECT_THAT(things.facts(any), ElementsAre("(in-way box ball)"));
+}
+
 TEST(ThingsInWay, OneOfThemIsTheFirst) {
   ThingsInWay things;
   things.refused("ball", {"box"});
