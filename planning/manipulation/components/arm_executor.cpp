@@ -1,15 +1,13 @@
 #include "castor/actors/component/action_types.hpp"
 #include "castor/actors/component/registry.hpp"
 #include "castor/mapping/geometry/poses.hpp"
-#include "castor/planning/manipulation/components/executes_manipulation.hpp"
+#include "castor/planning/manipulation/components/resumes_manipulation.hpp"
 #include "castor/planning/manipulation/types.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,7 +21,7 @@ using namespace std::chrono_literals;
 
 /// Executes the actions of an arm, one after the other: by what vision sees, and until vision sees
 /// the result.
-class ArmExecutor final : public ExecutesManipulation {
+class ArmExecutor final : public ResumesManipulation {
   void start() override {
     follow_arm();
     const auto anything =
@@ -62,65 +60,14 @@ class ArmExecutor final : public ExecutesManipulation {
       resume();
     offer_actions();
     while (is_running()) {
-      if (state() && !is_resumed_)
+      if (state() && !is_resumed())
         resume();
-      if (is_resumed_)
+      if (is_resumed())
         wait_for_changes();
       else
         wait_for_changes(look_for_arm);
     }
     leave_seat();
-  }
-
-  /// A predecessor may have left the arm in the picture, with something in the gripper.
-  void resume() {
-    is_resumed_ = is_resuming_ = true;
-    resume_at_rest();
-    is_resuming_ = false;
-  }
-
-  void resume_at_rest() {
-    const bool is_known = !state()->holds || take_over();
-    // As they were before the arm came into the picture.
-    things_ = look_at_table(placement());
-    std::erase_if(things_, [&](const auto& x) { return held_ && x.id == held_thing_.id; });
-    if (!state()->holds && !is_at_rest())
-      take_over_place();
-    if (is_at_rest() && is_known)
-      return tell(ManipulationStatus::idle, "rests");
-    inhibit_vision();
-    begin(is_known ? "go home" : "put down " + held_->name, {});
-    finish(is_known ? withdraw() : put_down_anywhere());
-  }
-
-  /// Where there is room.
-  ActionResult put_down_anywhere() {
-    if (auto end = look())
-      return *end;
-    for (const auto& pose : poses_held())
-      for (const auto& x : free_places(things_, held_->solid.size.x)) {
-        held_->pose = pose;
-        const PlaceGoal goal{x, 0, "the table", "a free place"};
-        const auto plan = planned([&] { return planner_->place(scene(), goal, joints()); });
-        if (!plan)
-          continue;
-        const auto carried = carry_out_all(*plan);
-        return carried.is_done ? ActionResult::succeeded()
-                               : carried.end.value_or(ActionResult::failed(told_.reason));
-      }
-    return ActionResult::failed("there is no free place for " + held_->name);
-  }
-
-  /// How it may be held: of what nobody knows, in any way that it can be put down.
-  std::vector<Pose> poses_held() const {
-    if (!held_thing_.id.empty())
-      return {held_->pose};
-    std::vector<Pose> result;
-    for (const double degrees : {180.0, 150.0, 210.0, 120.0, 240.0}) {
-      const double half = degrees / 360 * std::numbers::pi;
-      result.push_back({{}, {std::cos(half), 0, std::sin(half), 0}, "tool"});
-    }
-    return result;
   }
 
   // -- actions
@@ -386,9 +333,6 @@ class ArmExecutor final : public ExecutesManipulation {
   Option<int> tries_{this, "tries", 3, "how often an action is tried"};
   Option<double> near_{this, "near", 0.035,
                        "a thing that is seen so near to its place is there, metres"};
-
-  /// What a predecessor has left was dealt with, or is dealt with just now.
-  bool is_resumed_ = false;
 };
 
 CASTOR_COMPONENT(ArmExecutor, "moves an arm: takes things, puts them down, pushes them aside")

@@ -1,18 +1,14 @@
 #include "castor/actors/component/registry.hpp"
-#include "castor/perception/spatial/types.hpp"
 #include "castor/perception/vision/types.hpp"
 #include "castor/planning/continual/types.hpp"
 #include "castor/planning/manipulation/types.hpp"
-#include "castor/planning/tabletop/components/knows_table.hpp"
+#include "castor/planning/tabletop/components/finds_places.hpp"
 #include "castor/planning/tabletop/goal_text.hpp"
 #include "castor/planning/tabletop/refusals.hpp"
 #include "castor/planning/tabletop/table_memory.hpp"
 #include "castor/planning/tabletop/types.hpp"
-#include "castor/wm/entries/failure.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,12 +19,10 @@ namespace castor::planning {
 namespace {
 
 using namespace std::chrono_literals;
-using spatial::GroundPoint;
-using spatial::WantedPlace;
 
 /// Makes goals of requests about things on a table, says what is known of it, and executes the
 /// steps of plans by an arm: a contributor and an executor of continual planning.
-class TableExecutor final : public KnowsTable {
+class TableExecutor final : public FindsPlaces {
   void start() override {
     recall();
     on_call<StateRequest>([this](const StateRequest& request) {
@@ -186,100 +180,6 @@ class TableExecutor final : public KnowsTable {
     return id;
   }
 
-  /// Whether it is where it was to be, as far as that can be seen.
-  bool is_there(const std::string& id, const std::vector<WantedPlace>& places_wanted) {
-    std::vector<std::string> parts;
-    std::vector<WantedPlace> wanted;
-    for (auto place : places_wanted) {
-      for (auto& landmark : place.landmarks)
-        if (const auto* thing = memory_.thing(landmark))
-          landmark = thing->seen.id;
-      const auto seen = parts_in("(in-part x " + place.relation + ')');
-      parts.insert(parts.end(), seen.begin(), seen.end());
-      if (place.relation != "on" && (!place.landmarks.empty() || !seen.empty()))
-        wanted.push_back(std::move(place));
-    }
-    const auto held = places(std::move(parts));
-    return std::ranges::all_of(wanted, [&](const WantedPlace& x) {
-      return std::ranges::any_of(held,
-                                 [&](const ThingAtPlace& y) { return y.id == id && y.place == x; });
-    });
-  }
-
-  /// Where it is seen, or was to be put.
-  GroundPoint place_of(const std::string& id, const manipulation::TablePlace& wanted) {
-    const auto& on = wanted.on.address.id;
-    for (const auto& x : {id, on})
-      try {
-        if (!x.empty()) {
-          const auto& at = read<vision::SceneObject>({vision(), x})->box.centroid;
-          return {at.x, at.y};
-        }
-      } catch (const DoesNotExistOnWM& e) {
-        debug("{}", e.what());
-      }
-    return {wanted.x, wanted.y};
-  }
-
-  /// @param reason becomes that why there are none
-  std::vector<manipulation::TablePlace>
-  targets_of(const TableMemory::Thing& thing, const std::string& waypoint, std::string& reason) {
-    const auto wanted = memory_.chosen(waypoint);
-    if (wanted.empty()) {
-      const auto* place = memory_.place(waypoint);
-      if (place == nullptr) {
-        reason = "the place " + waypoint + " is not known any more";
-        return {};
-      }
-      return {table_place(*place)};
-    }
-    spatial::PlacementQuery query;
-    if (!thing.is_held)
-      query.thing = location_of(thing.seen.id);
-    query.radius = thing.seen.radius;
-    query.height = thing.seen.height;
-    query.requested_targets = static_cast<std::uint32_t>(places_.get());
-    for (const auto& x : wanted) {
-      auto& place = query.places.emplace_back(WantedPlace{x.relation, {}});
-      for (const auto& landmark : x.landmarks) {
-        auto at = location_seen(landmark);
-        if (at.empty()) {
-          reason = "what it is to be put there for is not seen any more";
-          return {};
-        }
-        place.landmarks.push_back(std::move(at));
-      }
-    }
-    query = call<spatial::PlacementQuery, spatial::PlacementQuery>(spatial(), query,
-                                                                   {.timeout = patience()});
-    reason = query.reason;
-    std::vector<manipulation::TablePlace> result;
-    if (!query.on.empty()) {
-      manipulation::TablePlace on;
-      on.on = EntryPointer<vision::SceneObject>{Address{vision(), object_at(query.on)}};
-      return {on};
-    }
-    for (const auto& x : query.targets)
-      result.push_back(table_place(x.position));
-    return result;
-  }
-
-  /// The location of a thing, or of what it stands on, which vision may see as one with it; empty
-  /// if neither is seen.
-  std::string location_seen(const std::string& name) const {
-    for (const auto* x = memory_.thing(name); x != nullptr; x = memory_.thing(x->on))
-      if (auto at = location_of(x->seen.id); !at.empty())
-        return at;
-    return {};
-  }
-
-  static manipulation::TablePlace table_place(const GroundPoint& at) {
-    manipulation::TablePlace result;
-    result.x = at.x;
-    result.y = at.y;
-    return result;
-  }
-
   template <class T>
   ActionResult done(ActionInProgress& action, T what) {
     const auto asked = perform(manipulation(), std::move(what));
@@ -311,7 +211,6 @@ class TableExecutor final : public KnowsTable {
     refusals_.push_back(std::move(refusal));
   }
 
-  Option<std::int64_t> places_{this, "places", 8, "places that are tried for a step"};
   Option<std::chrono::milliseconds> safe_end_{this, "safe-end", 10s,
                                               "how long it waits for a cancelled action to end"};
 
