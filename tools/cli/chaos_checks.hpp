@@ -5,7 +5,7 @@
 #include "castor/tools/chaos/expected_changes.hpp"
 #include "castor/tools/chaos/outages.hpp"
 #include "castor/tools/chaos/workload.hpp"
-#include "castor/tools/cli/chaos_trial.hpp"
+#include "castor/tools/cli/chaos_setup.hpp"
 
 #include <functional>
 #include <optional>

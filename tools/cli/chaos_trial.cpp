@@ -390,10 +390,6 @@ private:
 
 } // namespace
 
-std::uint64_t ChaosSetup::workload_seed(std::uint64_t seed) const {
-  return workload ? workload->workload.seed.value_or(seed) : 0;
-}
-
 FaultlessRun run_without_faults(const ChaosSetup& setup, std::uint64_t seed, const Signals& signals,
                                 Progress& progress) {
   faults::ChaosRun run;
