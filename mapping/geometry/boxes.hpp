@@ -7,17 +7,19 @@
 
 namespace castor::geometry {
 
-/// Whether it is the box of something flat on the ground.
-inline bool is_flat(const AlignedBox& x) { return x.size.z == 0; }
-
 /// Whether a thing that stood in the box `before` has moved over the ground by more than its own
-/// width, or is taken for flat and was not, or the other way round: its first estimate was another
-/// one. What is jostled, or estimated a little otherwise, has not moved.
+/// width. What is jostled, or estimated a little otherwise, has not moved.
 inline bool has_moved(const AlignedBox& before, const AlignedBox& now) {
-  if (before.frame != now.frame || is_flat(before) != is_flat(now))
-    return true;
-  return std::hypot(now.centroid.x - before.centroid.x, now.centroid.y - before.centroid.y) >
-         std::min(before.size.x, now.size.x);
+  return before.frame != now.frame ||
+         std::hypot(now.centroid.x - before.centroid.x, now.centroid.y - before.centroid.y) >
+           std::min(before.size.x, now.size.x);
+}
+
+/// Whether a thing is taken for as high as in the box `now` since its shape was found out: it is
+/// flat and was not, or the other way round, or its height differs by more than a twentieth.
+inline bool is_refined(const AlignedBox& before, const AlignedBox& now) {
+  constexpr double same_height = 0.05; // of the height
+  return std::abs(now.size.z - before.size.z) > same_height * before.size.z;
 }
 
 } // namespace castor::geometry

@@ -44,7 +44,7 @@ class SceneManager final : public ManagedComponent {
     consider();
   }
 
-  /// Only what has moved, or turned out to be flat or not, makes a new scene.
+  /// Only what has moved, or turned out to be of another height, makes a new scene.
   void look(const Address& address) {
     auto location = here(location_id(address));
     auto known = locations_.find(address);
@@ -53,7 +53,9 @@ class SceneManager final : public ManagedComponent {
       auto object = read<SceneObject>(address);
       if (object->box == geometry::AlignedBox{})
         return; // nobody knows yet where it is
-      if (known != locations_.end() && !geometry::has_moved(known->second, object->box))
+      is_refined = known != locations_.end() && geometry::is_refined(known->second, object->box);
+      if (known != locations_.end() && !is_refined &&
+          !geometry::has_moved(known->second, object->box))
         return;
       SpatialLocation now{{address}, object->box, {}};
       if (known == locations_.end()) {
@@ -62,8 +64,6 @@ class SceneManager final : public ManagedComponent {
         read<SpatialLocation>(location);
         overwrite(location, now);
       }
-      is_refined = known != locations_.end() &&
-                   geometry::is_flat(known->second) != geometry::is_flat(object->box);
       locations_[address] = object->box;
     } catch (const DoesNotExistOnWM&) {
       if (known == locations_.end())

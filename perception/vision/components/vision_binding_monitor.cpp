@@ -55,7 +55,7 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
   void tell_of(const std::string& id, const SceneObject& object) {
     auto& place = objects_[id];
     // A thing that is jostled is where it was.
-    if (geometry::has_moved(place, object.box))
+    if (geometry::has_moved(place, object.box) || geometry::is_refined(place, object.box))
       place = object.box;
     auto data = AnyEntryPointer{here(id), std::string{type_name<SceneObject>()}};
     auto thing = from_here();

@@ -24,12 +24,20 @@ TEST(Boxes, HaveMovedByTheirWidthOverTheGround) {
   EXPECT_TRUE(has_moved(box(0, 0), elsewhere));
 }
 
-TEST(Boxes, HaveMovedWhenTheyTurnOutToBeFlatOrNot) {
-  auto flat = box(0, 0);
-  flat.size.z = 0;
-  EXPECT_TRUE(has_moved(flat, box(0.01, 0)));
-  EXPECT_FALSE(has_moved(flat, flat));
-  EXPECT_TRUE(has_moved(box(0.01, 0), flat));
+TEST(Boxes, AreRefinedWhenTheirHeightIsAnother) {
+  auto high = [](double height) {
+    auto x = box(0.01, 0);
+    x.size.z = height;
+    return x;
+  };
+  EXPECT_TRUE(is_refined(high(0), high(0.1)));
+  EXPECT_TRUE(is_refined(high(0.1), high(0)));
+  EXPECT_FALSE(is_refined(high(0), high(0)));
+  EXPECT_TRUE(is_refined(high(0.0991), high(0.0906)));
+  EXPECT_FALSE(is_refined(high(0.1), high(0.096)));
+  auto half_hidden = high(0.1);
+  half_hidden.size.x = 0.05;
+  EXPECT_FALSE(is_refined(high(0.1), half_hidden));
 }
 
 } // namespace castor::geometry::test
