@@ -160,7 +160,8 @@ std::string name_of(const CLI::Option& x) {
 /// An option that was written more often than it may be.
 const CLI::Option* repeated(const ChosenCommand& command) {
   for (auto* x : options_of(command))
-    if (static_cast<int>(x->results().size()) > x->get_items_expected_max() &&
+    if (x->get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll &&
+        static_cast<int>(x->results().size()) > x->get_items_expected_max() &&
         x->get_items_expected_max() > 0)
       return x;
   return nullptr;
