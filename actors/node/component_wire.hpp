@@ -68,7 +68,7 @@ CASTOR_WIRE_NULLABLE(VersionQuery, client)
 
 // -- leases
 
-CASTOR_WIRE(LockRequest, address, level, patience)
+CASTOR_WIRE_EXCEPT(LockRequest, (claims), address, level, patience)
 inline void check_read(const LockRequest& x) {
   if (!x.patience.client)
     throw DecodeError("a lock request without a client");

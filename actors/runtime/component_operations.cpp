@@ -183,7 +183,7 @@ void ComponentOperations::lock(const Address& address, LockLevel level,
   wait.address = address;
   wait.what = "waits to lock " + to_string(address);
   auto lease = value_or_throw(parts_.client.finish_wait<Lease>(
-    parts_.client.begin(LockRequest{address, level, patience}), std::move(wait), patience));
+    parts_.client.begin(LockRequest{address, level, patience, true}), std::move(wait), patience));
   parts_.context.leases().add(address, lease.token);
 }
 

@@ -10,8 +10,7 @@
 namespace castor {
 
 OperationsClient::OperationsClient(const Parts& parts)
-  : parts_(parts),
-    reader_(parts.context.services().readable_memories, parts.context.client()) {
+  : parts_(parts), reader_(parts.context.services().readable_memories, parts.context.client()) {
   if (auto& log = parts_.context.services().operations)
     recorder_.emplace(*log, parts_.context.client());
 }
@@ -156,6 +155,12 @@ void OperationsClient::show_progress() {
   UserCode::Pause pause{parts_.code};
   parts_.actor.file_arrived();
   parts_.faults.at_runtime();
+}
+
+void OperationsClient::claim(const LeaseOffer& offer) {
+  if (parts_.life.is_working_memory_lost())
+    return;
+  parts_.unit.run([&] { send(ClaimLease{offer.address, parts_.context.client(), offer.number}); });
 }
 
 void OperationsClient::receive_probe(DeadlockProbe probe) {

@@ -107,6 +107,9 @@ public:
     parts_.actor.send(working_memory(), std::forward<Message>(x));
   }
 
+  /// The working memory offers the lease that the component waits for.
+  void claim(const LeaseOffer& offer);
+
   /// Handles a search for a cycle of waits of which this component may be a part.
   void receive_probe(DeadlockProbe probe);
 

@@ -242,6 +242,8 @@ void ComponentShell::file(caf::mailbox_element_ptr x) {
   } else if (content.match_elements<ChangeNotices>()) {
     for (auto& notice : content.get_mutable_as<ChangeNotices>(0).notices)
       file_change(std::move(notice));
+  } else if (content.match_elements<LeaseOffer>()) {
+    client_.claim(content.get_as<LeaseOffer>(0));
   } else if (content.match_elements<DeadlockProbe>()) {
     client_.receive_probe(content.get_as<DeadlockProbe>(0));
   } else if (content.match_elements<NeighboursPtr>()) {

@@ -71,6 +71,8 @@ public:
     result.history = world.recorder.finish();
     if (world.findings.empty())
       check_tokens(result.history);
+    for (auto& x : world.recorder.lock_order().violations())
+      world.find(x);
     result.verdict = checker_.check(result.history);
     clear();
     result.findings = std::move(world.findings);
@@ -84,6 +86,9 @@ private:
     auto& world = *world_;
     world.recorder.set_time(Timestamp{0});
     auto working_memories = 2 + world.pick(2);
+    if (world.chance(60))
+      world.overtaking = std::chrono::milliseconds{1 + world.pick(60)};
+    world.recorder.set_overtaking(world.overtaking);
     Peers peers;
     for (std::size_t i = 0; i < working_memories; ++i) {
       WorkingMemoryOptions options;
@@ -91,6 +96,7 @@ private:
       options.writers = {"*"};
       options.epoch = begin_;
       options.leases.duration = lease_duration;
+      options.leases.overtaking = world.overtaking;
       // No token of one working memory is ever the right one in another by chance.
       options.leases.first_token = static_cast<LeaseToken>(i + 1) * 1'000'000;
       auto entries = options.store.entries = std::make_shared<EntryTable>();

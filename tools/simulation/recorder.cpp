@@ -1,6 +1,7 @@
 #include "castor/tools/simulation/recorder.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace castor::linearizability {
 
@@ -25,9 +26,12 @@ void Recorder::returned(Index x, const Result& result) {
 }
 
 void Recorder::known_to_have_arrived(Index x) {
-  auto& record = operations_[x].record;
-  if (record.queued_by == never)
-    record.queued_by = tick();
+  auto& operation = operations_[x];
+  if (operation.arrived_by != never)
+    return;
+  operation.arrived_by = tick();
+  if (!operation.record.locks() || overtaking_ == Timestamp{0})
+    operation.record.queued_by = operation.arrived_by;
 }
 
 void Recorder::did_not_happen(Index x) {
@@ -35,7 +39,7 @@ void Recorder::did_not_happen(Index x) {
 }
 
 void Recorder::obtained(Index lock) {
-  auto& [record, sent, dropped] = operations_[lock];
+  auto& [record, sent, dropped, arrived_by] = operations_[lock];
   Lease lease{record.client, record.invoked, sent + lease_duration_, now() + lease_duration_};
   if (may_be_lost_.contains(record.client))
     lease.may_end_from = record.invoked;
@@ -121,7 +125,7 @@ void Recorder::deaths_are_known() {
 History Recorder::finish() {
   History result;
   auto end = tick();
-  for (auto& [record, sent, dropped] : operations_) {
+  for (auto& [record, sent, dropped, arrived_by] : operations_) {
     if (dropped)
       continue;
     result.push_back(record);
@@ -178,6 +182,19 @@ OperationRecord Recorder::lapse_of(std::uint32_t entry, Token token, const Lease
   x.mandatory = x.returned != never;
   x.returned = std::min(x.returned, tick_);
   return x;
+}
+
+LockOrder Recorder::lock_order() const {
+  LockOrder result{overtaking_};
+  for (auto& [record, sent, dropped, arrived_by] : operations_)
+    if (record.locks() && !dropped)
+      result.add({record, arrived_by, sent, time_at(record.returned)});
+  return result;
+}
+
+Timestamp Recorder::time_at(Tick tick) const {
+  auto i = std::ranges::upper_bound(advances_, tick, {}, [](auto& x) { return x.second; });
+  return i == advances_.begin() ? Timestamp{0} : std::prev(i)->first;
 }
 
 Tick Recorder::first_tick_at(Timestamp time) const {

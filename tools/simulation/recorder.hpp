@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/tools/linearizability/history.hpp"
+#include "castor/tools/simulation/lock_order.hpp"
 #include "castor/wm/values/timestamp.hpp"
 
 #include <cstddef>
@@ -72,6 +73,11 @@ public:
   /// The clock of the entry's leases jumped forward or back.
   void clock_jumped(std::uint32_t entry, Timestamp by);
 
+  /// Waiting locks may be overtaken, for so long: in the history a lock may reach its working
+  /// memory at any time, and the order of locks is checked for itself.
+  void set_overtaking(Timestamp x) { overtaking_ = x; }
+  LockOrder lock_order() const;
+
   /// The whole history; to be called when no operation is under way any more.
   History finish();
 
@@ -80,6 +86,8 @@ private:
     OperationRecord record;
     Timestamp sent{0};
     bool dropped = false;
+    /// When it was known to have reached its working memory.
+    Tick arrived_by = never;
   };
 
   struct Lease {
@@ -96,6 +104,7 @@ private:
 
   /// The first tick at or after this time.
   Tick first_tick_at(Timestamp time) const;
+  Timestamp time_at(Tick tick) const;
   OperationRecord lapse_of(std::uint32_t entry, Token token, const Lease& lease);
 
   struct Restart {
@@ -111,6 +120,7 @@ private:
   };
 
   Timestamp lease_duration_;
+  Timestamp overtaking_{0};
   Tick tick_ = 0;
   std::vector<std::pair<Timestamp, Tick>> advances_;
   std::vector<Operation> operations_;

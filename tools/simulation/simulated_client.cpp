@@ -41,6 +41,7 @@ caf::behavior SimulatedClient::make_behavior() {
   return {
     [this](StepAtom) { step(); },
     [this](RestAtom) { rest(); },
+    [this](const LeaseOffer& x) { claim(x); },
   };
 }
 

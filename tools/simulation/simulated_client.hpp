@@ -95,6 +95,7 @@ private:
   void lock(OperationRecord x);
   void unlock(const OperationRecord& x);
   void obtained(const Outstanding& x, Token token);
+  void claim(const LeaseOffer& offer);
   void renew();
   void renewal_answered(const std::vector<std::pair<std::uint32_t, Token>>& renewed, Timestamp sent,
                         const RenewReply& answer);

@@ -7,19 +7,24 @@ namespace castor::linearizability {
 
 void SimulatedClient::lock(OperationRecord x) {
   x.level = LockLevel(1 + world_.pick(3));
+  // An earlier lock goes first, for which it may have to wait where others need not.
+  if (world_.overtaking > Timestamp{0} && outstanding_.has_lock(x.entry))
+    x.kind = OperationKind::lock;
   auto record = world_.recorder.invoked(x);
   auto number = ++last_wait_;
   auto wait = patience(number);
   if (x.kind == OperationKind::try_lock)
     wait.at_most = Timestamp{0};
-  ask<castor::Lease>(
-    route_to(x.entry), LockRequest{world_.entries[x.entry].address, level_of(x.level), wait},
-    {record}, number, [this, record](const Outstanding& out, const Outcome<castor::Lease>& answer) {
-      if (answer)
-        obtained(out, answer->token);
-      else
-        failed(record, answer.failure());
-    });
+  ask<castor::Lease>(route_to(x.entry),
+                     LockRequest{world_.entries[x.entry].address, level_of(x.level), wait,
+                                 world_.overtaking > Timestamp{0}},
+                     {record}, number,
+                     [this, record](const Outstanding& out, const Outcome<castor::Lease>& answer) {
+                       if (answer)
+                         obtained(out, answer->token);
+                       else
+                         failed(record, answer.failure());
+                     });
 }
 
 void SimulatedClient::unlock(const OperationRecord& x) {
@@ -85,6 +90,12 @@ void SimulatedClient::renewal_answered(const std::vector<std::pair<std::uint32_t
 
 bool SimulatedClient::may_hold_unawares(std::uint32_t entry) const {
   return views_[entry].unsure || (deadline() != caf::infinite && outstanding_.concern(entry));
+}
+
+void SimulatedClient::claim(const LeaseOffer& offer) {
+  auto entry =
+    std::ranges::find(world_.entries, offer.address, &SimulatedWorld::SimulatedEntry::address);
+  send(way_to(entry->owner), ClaimLease{offer.address, identity_, offer.number});
 }
 
 void SimulatedClient::give_up_something() {

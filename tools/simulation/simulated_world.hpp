@@ -42,6 +42,8 @@ struct SimulatedWorld {
   std::vector<SimulatedEntry> entries;
   /// Number of operations that the clients may still begin.
   std::size_t operations_left = 0;
+  /// How long waiting clients may be overtaken, which claim what they are offered then; or 0.
+  Timestamp overtaking{0};
   std::int64_t stamps = 0;
   Client last_client = 0;
   /// Clients by number.

@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -26,6 +27,9 @@ struct LeaseTableOptions {
   Timestamp duration = std::chrono::seconds{2};
   /// First token; tokens increase. A table that replaces another one starts above its tokens.
   LeaseToken first_token = 1;
+  /// How long clients may overtake the one that has waited longest, until that one is awake. 0 for
+  /// not at all.
+  Timestamp overtaking = std::chrono::microseconds{500};
   /// Called before the lease is returned or its wait settled; not when the entry is deleted. May be
   /// empty.
   ExclusionObserver on_exclusion = {};
@@ -42,11 +46,24 @@ struct SettledWait {
   Lease lease;
 };
 
+/// A free lease that the client may claim for its wait; others may get it before.
+struct OfferedLease {
+  ClientPtr client;
+  WaitNumber number = 0;
+};
+
 /// The leases of one working memory, and the clients that wait for them.
 ///
 /// Lock requests and reads of an entry that is leased at level ODR wait in one queue per entry,
 /// first come, first served. When a lease ends, the queue is served from its front: up to the first
 /// lock request, which gets the lease, and after it only reads that the new lease allows.
+///
+/// A waiting client sleeps, and a lease that waits until its client is awake is of use to nobody.
+/// So a client that can claim is only offered the lease: the entry is free, and its reads are
+/// served, until the client claims the lease or another one requests it, which thus overtakes. A
+/// client that claims in vain gets the lease when it ends next. From the first offer to the end of
+/// overtaking passes a bounded time, after which the queue is served as it stands; the next time
+/// begins after a lock request from the queue was granted. No client overtakes its own requests.
 ///
 /// Time is passed in. Only `expire` ends leases and waits that are over: call it before every other
 /// function. Waits that end by a call are collected for `take_settled`.
@@ -60,6 +77,11 @@ public:
     Timestamp deadline{0};
     /// Number of the wait in the table, in order of arrival.
     std::uint64_t arrival = 0;
+    /// Whether the client claims what it is offered.
+    bool can_claim = false;
+    bool was_offered = false;
+    /// The client is awake, but the lease was another's when it claimed.
+    bool has_claimed = false;
   };
 
   struct Holding {
@@ -96,7 +118,11 @@ public:
 
   /// Like `try_lock`; if there is no lease, queues the request until the deadline.
   std::optional<Lease> lock(const std::string& id, const ClientPtr& client, LockLevel level,
-                            WaitNumber number, Timestamp now, Timestamp deadline);
+                            WaitNumber number, Timestamp now, Timestamp deadline,
+                            bool can_claim = false);
+
+  /// The client is awake and claims what it was offered.
+  void claim(const std::string& id, const Client& client, WaitNumber number, Timestamp now);
 
   /// Whether the client may read now.
   bool may_read(const std::string& id, const Client& client) const;
@@ -125,14 +151,17 @@ public:
   /// The entry was deleted: its lease ends, and every wait for it fails.
   void erase(const std::string& id);
 
-  /// Ends leases that were not renewed and waits whose deadline has passed.
+  /// Ends leases that were not renewed, waits whose deadline has passed, and overtaking.
   void expire(Timestamp now);
 
-  /// Time of the next lease expiry or wait deadline.
+  /// Time of the next lease expiry, wait deadline or end of overtaking.
   std::optional<Timestamp> next_deadline() const;
 
   /// The waits that were settled since the last call, in the order of their settlement.
   std::vector<SettledWait> take_settled() { return std::exchange(settled_, {}); }
+
+  /// The offers that were made since the last call.
+  std::vector<OfferedLease> take_offers() { return std::exchange(offers_, {}); }
 
   /// The entry's lease, or null.
   const Holding* holding(const std::string& id) const;
@@ -144,7 +173,7 @@ public:
   std::size_t size() const { return expiries_.size(); }
 
 private:
-  /// An entry with a lease; only these have waits.
+  /// An entry with a lease, or one that waits were offered.
   struct Row {
     std::optional<Holding> holding;
     std::deque<Waiter> queue;
@@ -152,6 +181,8 @@ private:
     std::multimap<Timestamp, std::string>::iterator expiry;
     /// As the observer was told last.
     bool is_excluded = false;
+    /// End of overtaking; nothing if there was no offer since a wait was granted.
+    std::optional<Timestamp> overtaken_until;
   };
   using Rows = std::unordered_map<std::string, Row>;
 
@@ -162,8 +193,13 @@ private:
   /// Tells the observer if that has changed.
   void note_exclusion(Rows::iterator row);
   void serve(Rows::iterator row, Timestamp now);
-  /// Serves the reads that the lease allows.
+  /// Serves the reads that the lease allows, or all if there is none.
   void serve_reads(Row& row);
+  /// Whether the first wait, for a lease, is to be offered it rather than granted.
+  bool may_be_overtaken(const Row& row, Timestamp now) const;
+  void offer_lease(Rows::iterator row, Timestamp now);
+  void grant_first(Rows::iterator row, Timestamp now);
+  void end_overtaking(Rows::iterator row);
   void enqueue(Rows::iterator row, Waiter waiter);
   void settle(const Waiter& waiter, SettledWait::Result result, Lease lease = {});
   /// Removes the waits from the queue for which `unwanted` returns true.
@@ -179,8 +215,11 @@ private:
   std::multimap<Timestamp, std::string> expiries_;
   /// The waits by deadline and arrival, with the ids of their entries.
   std::map<std::pair<Timestamp, std::uint64_t>, std::string> deadlines_;
+  /// Ends of overtaking, with the ids of the entries.
+  std::set<std::pair<Timestamp, std::string>> overtakings_;
   std::uint64_t arrivals_ = 0;
   std::vector<SettledWait> settled_;
+  std::vector<OfferedLease> offers_;
 };
 
 } // namespace castor

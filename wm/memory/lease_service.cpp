@@ -25,7 +25,7 @@ Timestamp deadline_of(Timestamp now, const Patience& patience) {
 } // namespace
 
 std::optional<Outcome<Lease>> LeaseService::try_lock(const LockRequest& request, Timestamp now) {
-  auto& [address, level, patience] = request;
+  auto& [address, level, patience, claims] = request;
   auto& client = patience.client;
   if (!store_.exists(address.id))
     return Failure{FailureKind::does_not_exist,
@@ -44,8 +44,9 @@ std::optional<Outcome<Lease>> LeaseService::try_lock(const LockRequest& request,
 
 void LeaseService::wait_to_lock(const LockRequest& request, Timestamp now,
                                 WaitingReply<Lease> reply) {
-  auto& [address, level, patience] = request;
+  auto& [address, level, patience, claims] = request;
   auto& client = patience.client;
+  bool can_claim = reply.offer != nullptr;
   waits_[key_of(*client, patience.number)] = {address.id,
                                               [this, deliver = std::move(reply.deliver),
                                                address = address,
@@ -55,8 +56,9 @@ void LeaseService::wait_to_lock(const LockRequest& request, Timestamp now,
                                                 else
                                                   deliver(failed_wait(x, client, address, "lock"));
                                               },
-                                              std::move(reply.abandon)};
-  table_.lock(address.id, client, level, patience.number, now, deadline_of(now, patience));
+                                              std::move(reply.abandon), std::move(reply.offer)};
+  table_.lock(address.id, client, level, patience.number, now, deadline_of(now, patience),
+              can_claim);
 }
 
 std::optional<Outcome<EntryPtr>> LeaseService::try_read(const ReadRequest& request) const {
@@ -140,6 +142,10 @@ RenewReply LeaseService::renew(const RenewRequest& request, Timestamp now) {
     if (!table_.renew(x.id, *request.client, x.token, now))
       result.lost.push_back(x);
   return result;
+}
+
+void LeaseService::claim(const ClaimLease& request, Timestamp now) {
+  table_.claim(request.address.id, *request.client, request.number, now);
 }
 
 void LeaseService::cancel(const CancelWait& request, Timestamp now) {
@@ -227,6 +233,11 @@ bool LeaseService::settle() {
       if (auto wait = waits_.extract(key_of(*x.client, x.number)))
         wait.mapped().finish(x);
   }
+  for (auto& x : table_.take_offers())
+    if (auto wait = waits_.find(key_of(*x.client, x.number)); wait != waits_.end()) {
+      any = true;
+      wait->second.offer();
+    }
   return any;
 }
 
@@ -250,7 +261,9 @@ Failure LeaseService::failed_wait(const SettledWait& settled, const ClientPtr& c
 
 std::string LeaseService::describe_holder(const std::string& id) const {
   auto* holding = table_.holding(id);
-  return holding ? describe(*holding) : "nobody holds one";
+  if (holding)
+    return describe(*holding);
+  return table_.waiting(id) ? "others wait for one" : "nobody holds one";
 }
 
 EntryPtr LeaseService::first_unreadable(const Entries& entries, const ClientPtr& client) const {

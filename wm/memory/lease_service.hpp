@@ -23,6 +23,8 @@ struct WaitingReply {
   std::function<void(Outcome<Reply>)> deliver;
   /// The client waits no longer: nothing is to be delivered.
   std::function<void()> abandon;
+  /// Offers the client the lease that it waits for; empty if the client does not claim.
+  std::function<void()> offer = {};
 };
 
 /// Locks and reads of the entries of one working memory: the operations that wait for a lease to
@@ -56,6 +58,7 @@ public:
 
   Outcome<Acknowledged> unlock(const UnlockRequest& request, Timestamp now);
   RenewReply renew(const RenewRequest& request, Timestamp now);
+  void claim(const ClaimLease& request, Timestamp now);
   void cancel(const CancelWait& request, Timestamp now);
   Outcome<LockStatus> status(const Address& address) const;
 
@@ -81,7 +84,7 @@ public:
   /// The entry was deleted.
   void erase(const std::string& id) { table_.erase(id); }
 
-  /// Answers the waits that have ended; false if there were none.
+  /// Answers the waits that have ended, and makes offers to others; false if there were none.
   bool settle();
 
   /// When `expire` will next have something to do.
@@ -102,6 +105,7 @@ private:
     std::string id;
     std::function<void(const SettledWait&)> finish;
     std::function<void()> abandon;
+    std::function<void()> offer = {};
   };
 
   struct PendingQuery {

@@ -37,6 +37,7 @@ working_memory(WorkingMemoryActor::stateful_pointer<WorkingMemoryState> self,
     [shell](const UnlockRequest& x) {
       return shell->at_owner<Acknowledged>(x.address, x, [&] { return shell->unlock(x); });
     },
+    [shell](const ClaimLease& x) { shell->claim(x); },
     [shell](const CancelWait& x) { shell->cancel(x); },
     [shell](const RenewRequest& x) { return shell->renew(x); },
     [shell](const LockQuery& x) {

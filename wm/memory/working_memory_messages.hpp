@@ -52,6 +52,22 @@ struct LockRequest {
   Address address;
   LockLevel level = LockLevel::o;
   Patience patience;
+  /// Whether the sender answers a LeaseOffer with ClaimLease. Within a process only: over a link
+  /// that would be one more round trip.
+  bool claims = false;
+};
+
+/// To a component that waits for a lease: the entry is free, and others may get the lease before.
+struct LeaseOffer {
+  Address address;
+  WaitNumber number = 0;
+};
+
+/// The client is awake and takes the lease, now or when it ends next.
+struct ClaimLease {
+  Address address;
+  ClientPtr client;
+  WaitNumber number = 0;
 };
 
 /// Gives back what one lock request obtained.

@@ -48,6 +48,8 @@ using WorkingMemoryActor = caf::typed_actor<
   caf::replies_to<LockRequest>::with<Outcome<Lease>>,
   // Gives a lease back.
   caf::replies_to<UnlockRequest>::with<Outcome<Acknowledged>>,
+  // Takes the lease that the sender was offered.
+  caf::reacts_to<ClaimLease>,
   // Ends a wait of the sender.
   caf::reacts_to<CancelWait>,
   // Extends leases; answers which are lost.
@@ -90,6 +92,8 @@ CASTOR_LOCAL_MESSAGE(castor::BatchRequest)
 CASTOR_LOCAL_MESSAGE(castor::QueryRequest)
 CASTOR_LOCAL_MESSAGE(castor::LockRequest)
 CASTOR_LOCAL_MESSAGE(castor::UnlockRequest)
+CASTOR_LOCAL_MESSAGE(castor::LeaseOffer)
+CASTOR_LOCAL_MESSAGE(castor::ClaimLease)
 CASTOR_LOCAL_MESSAGE(castor::CancelWait)
 CASTOR_LOCAL_MESSAGE(castor::RenewRequest)
 CASTOR_LOCAL_MESSAGE(castor::RenewReply)

@@ -27,6 +27,9 @@ EntryStoreOptions store_options(const WorkingMemoryOptions& options) {
 
 LeaseTableOptions lease_options(const WorkingMemoryOptions& options, EntryTable& entries) {
   auto result = options.leases;
+  // Overtaking depends on when threads wake, which a reproducible run must not.
+  if (options.clock && options.clock->activity().is_one_at_a_time())
+    result.overtaking = Timestamp{0};
   result.on_exclusion = [&entries](const std::string& id, bool is_excluded) {
     entries.change(id, [&](EntryTable::Slot& x) { x.is_excluded = is_excluded; });
   };
@@ -43,8 +46,9 @@ LeaseTableOptions lease_options(const WorkingMemoryOptions& options, EntryTable&
 WorkingMemoryShell::WorkingMemoryShell(WorkingMemoryActor::pointer self,
                                        const WorkingMemoryOptions& options)
   : self_(self), store_(options.subarchitecture, store_options(options)),
-    leases_(store_, lease_options(options, store_.entries())), events_(self, outbox_, monitored_, usage_, options),
-    epoch_(options.epoch), clock_(options.clock) {
+    leases_(store_, lease_options(options, store_.entries())),
+    events_(self, outbox_, monitored_, usage_, options), epoch_(options.epoch),
+    clock_(options.clock) {
   allow_writers(options.writers);
   store_.access().set_readers(options.readers);
   events_.set_broadcasts_to([this, without = options.without_components](const std::string& x) {
@@ -223,10 +227,17 @@ caf::result<Outcome<Lease>> WorkingMemoryShell::lock(const LockRequest& request)
     set_alarm();
     return *std::move(result);
   }
+  WaitingReply<Lease> reply;
+  if (request.claims)
+    reply.offer = [sender = self_->current_sender(),
+                   offer = LeaseOffer{request.address, request.patience.number}] {
+      if (sender)
+        sender->enqueue(nullptr, caf::make_message_id(), caf::make_message(offer), nullptr);
+    };
   auto answer = defer<Outcome<Lease>>(self_);
-  leases_.wait_to_lock(request, lease_now(),
-                       {[this, answer](Outcome<Lease> x) { outbox_.reply(answer, std::move(x)); },
-                        [answer] { answer->abandon(); }});
+  reply.deliver = [this, answer](Outcome<Lease> x) { outbox_.reply(answer, std::move(x)); };
+  reply.abandon = [answer] { answer->abandon(); };
+  leases_.wait_to_lock(request, lease_now(), std::move(reply));
   set_alarm();
   return answer->promise();
 }
@@ -244,12 +255,17 @@ Outcome<LockStatus> WorkingMemoryShell::lock_status(const LockQuery& request) {
   return leases_.status(request.address);
 }
 
-void WorkingMemoryShell::cancel(const CancelWait& request) {
-  if (auto& owner = request.address.subarchitecture; owner != store_.subarchitecture()) {
-    if (auto* peer = events_.find_peer(owner))
-      self_->send(*peer, request);
+void WorkingMemoryShell::claim(const ClaimLease& request) {
+  if (is_for_peer(request.address, request))
     return;
-  }
+  catch_up();
+  leases_.claim(request, lease_now());
+  settle();
+}
+
+void WorkingMemoryShell::cancel(const CancelWait& request) {
+  if (is_for_peer(request.address, request))
+    return;
   catch_up();
   leases_.cancel(request, lease_now());
   settle();

@@ -55,6 +55,7 @@ public:
   /// Refused if the subarchitecture may not read here.
   Outcome<Acknowledged> set_interest(const Interest& interest);
 
+  void claim(const ClaimLease& request);
   void cancel(const CancelWait& request);
   caf::result<RenewReply> renew(const RenewRequest& request);
   void follow(DeadlockProbe probe);
@@ -104,6 +105,16 @@ private:
   /// Remembers that the sender of the current message is this client, and monitors it. To be called
   /// before the message's response promise is made, which takes the sender.
   void remember_client(const ClientPtr& client);
+
+  /// Forwards a message without an answer if it is about an entry of another working memory.
+  template <class Message>
+  bool is_for_peer(const Address& address, const Message& message) {
+    if (address.subarchitecture == store_.subarchitecture())
+      return false;
+    if (auto* peer = events_.find_peer(address.subarchitecture))
+      self_->send(*peer, message);
+    return true;
+  }
 
   /// Releases its leases, expires its entries.
   void end_client(const caf::actor_addr& who);

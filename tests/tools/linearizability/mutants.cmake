@@ -93,9 +93,17 @@ castor_mutant(nested_locks_do_not_exclude wm/leases/lease_table.cpp
   TO "std::max(holding->lease.level, level);")
 
 castor_mutant(reads_overtake_odr_locks wm/leases/lease_table.cpp
-  FROM "if (holding.lease.level == LockLevel::odr && !(*waiter.client == *holding.holder))
+  FROM "if (holding && holding->lease.level == LockLevel::odr && !(*waiter.client == *holding->holder))
       return false;"
   TO "")
+
+castor_mutant(overtaking_has_no_end wm/leases/lease_table.cpp ALL
+  FROM "return !row.overtaken_until || now < *row.overtaken_until;"
+  TO "return true;")
+
+castor_mutant(clients_overtake_themselves wm/leases/lease_table.cpp
+  FROM "return x.level && *x.client == *client; }))"
+  TO "return false && x.level; }))")
 
 castor_mutant(leases_outlive_holders wm/leases/lease_table.cpp
   FROM "if (*row.holding->holder == client)

@@ -283,6 +283,218 @@ TEST_F(Leases, TakingAWaitBackThatWasGrantedMeanwhileGivesTheLeaseBack) {
   EXPECT_EQ(settled(), (Strings{"granted bob", "granted cid"}));
 }
 
+class Offers : public Leases {
+protected:
+  WaitNumber queue_claimant(const ClientPtr& who, LockLevel level = LockLevel::odr,
+                            Timestamp patience = 10s) {
+    EXPECT_FALSE(table.lock("x", who, level, ++numbers, now, now + patience, true));
+    return numbers;
+  }
+
+  void unlock() {
+    auto& x = *table.holding("x");
+    EXPECT_TRUE(table.unlock("x", *x.holder, x.lease.token, now));
+  }
+
+  void pass(Timestamp time) {
+    now += time;
+    table.expire(now);
+  }
+
+  Strings offers() {
+    Strings result;
+    for (auto& x : table.take_offers())
+      result.push_back(x.client->component);
+    return result;
+  }
+};
+
+TEST_F(Offers, AreForTheLongestWaitingClientAndForWhoComesBeforeIt) {
+  lock_now(ann, LockLevel::odr);
+  auto wait = queue_claimant(bob);
+  unlock();
+  EXPECT_EQ(offers(), Strings{"bob"});
+  EXPECT_EQ(settled(), Strings{});
+  EXPECT_EQ(table.holding("x"), nullptr);
+  EXPECT_NE(lock_now(ann, LockLevel::odr), 0u) << "overtakes";
+  unlock();
+  EXPECT_EQ(offers(), Strings{}) << "one is enough to wake bob";
+  table.claim("x", *bob, wait, now);
+  EXPECT_EQ(settled(), Strings{"granted bob"});
+  EXPECT_EQ(lock_now(ann, LockLevel::odr), 0u);
+}
+
+TEST_F(Offers, AreNotMadeToClientsThatCannotClaim) {
+  lock_now(ann, LockLevel::o);
+  queue_lock(bob, LockLevel::o);
+  queue_claimant(cid);
+  unlock();
+  EXPECT_EQ(settled(), Strings{"granted bob"});
+  unlock();
+  EXPECT_EQ(settled(), Strings{});
+  EXPECT_EQ(offers(), Strings{"cid"});
+}
+
+TEST_F(Offers, AClientThatClaimsInVainIsNext) {
+  lock_now(ann, LockLevel::odr);
+  auto wait = queue_claimant(bob);
+  unlock();
+  lock_now(ann, LockLevel::odr);
+  table.claim("x", *bob, wait, now);
+  EXPECT_EQ(settled(), Strings{});
+  unlock();
+  EXPECT_EQ(settled(), Strings{"granted bob"});
+  EXPECT_EQ(table.holding("x")->holder->component, "bob");
+}
+
+TEST_F(Offers, AFreeLeaseIsGrantedWhenOvertakingEnds) {
+  lock_now(ann, LockLevel::odr);
+  queue_claimant(bob);
+  unlock();
+  EXPECT_EQ(table.next_deadline(), Timestamp{500us});
+  pass(499us);
+  EXPECT_EQ(settled(), Strings{});
+  pass(1us);
+  EXPECT_EQ(settled(), Strings{"granted bob"});
+  EXPECT_EQ(lock_now(ann, LockLevel::odr), 0u);
+}
+
+TEST_F(Offers, NobodyOvertakesForLongerHoweverOftenTheLeaseEnds) {
+  lock_now(ann, LockLevel::odr);
+  queue_claimant(bob);
+  int overtaken = 0;
+  for (; table.holding("x")->holder == ann; ++overtaken) {
+    unlock();
+    pass(30us);
+    lock_now(ann, LockLevel::odr);
+    pass(70us);
+  }
+  EXPECT_EQ(overtaken, 6) << "the last of these at 430 us, and its end is after 500";
+  EXPECT_EQ(now, 600us);
+  EXPECT_EQ(settled(), Strings{"granted bob"});
+}
+
+TEST_F(Offers, OvertakingBeginsAnewForTheNextInTheQueue) {
+  lock_now(ann, LockLevel::odr);
+  auto wait = queue_claimant(bob);
+  queue_claimant(cid);
+  unlock();
+  pass(400us);
+  table.claim("x", *bob, wait, now);
+  unlock();
+  EXPECT_EQ(offers(), (Strings{"bob", "cid"}));
+  pass(499us);
+  EXPECT_EQ(settled(), Strings{"granted bob"});
+  pass(1us);
+  EXPECT_EQ(settled(), Strings{"granted cid"});
+}
+
+TEST_F(Offers, OvertakingDoesNotBeginAnewWhenTheFirstInTheQueueGivesUp) {
+  lock_now(ann, LockLevel::odr);
+  auto wait = queue_claimant(bob);
+  queue_claimant(cid);
+  unlock();
+  pass(400us);
+  table.cancel("x", *bob, wait, now);
+  EXPECT_EQ(offers(), (Strings{"bob", "cid"}));
+  pass(100us);
+  EXPECT_EQ(settled(), Strings{"granted cid"});
+}
+
+TEST_F(Offers, OvertakingEndsThoughTheClockIsPutBack) {
+  now = 10s;
+  lock_now(ann, LockLevel::odr);
+  queue_claimant(bob);
+  unlock();
+  lock_now(ann, LockLevel::odr);
+  pass(500us);
+  now = 5s;
+  unlock();
+  EXPECT_EQ(settled(), Strings{"granted bob"});
+}
+
+TEST_F(Offers, NoClientOvertakesItself) {
+  lock_now(ann, LockLevel::odr);
+  auto wait = queue_claimant(bob);
+  queue_claimant(cid);
+  unlock();
+  EXPECT_EQ(lock_now(cid, LockLevel::o), 0u);
+  queue_claimant(cid);
+  EXPECT_EQ(table.waiting("x")->size(), 3u);
+  table.claim("x", *bob, wait, now);
+  EXPECT_EQ(settled(), Strings{"granted bob"});
+}
+
+TEST_F(Offers, AnEntryThatIsOfferedIsFree) {
+  lock_now(ann, LockLevel::odr);
+  queue_claimant(bob);
+  queue_read(cid);
+  unlock();
+  EXPECT_EQ(settled(), Strings{"readable cid"});
+  EXPECT_TRUE(table.may_read("x", *dan));
+  EXPECT_EQ(table.check("x", *dan, Operation::overwrite, 0), Verdict::permitted);
+  EXPECT_EQ(table.size(), 0u);
+  EXPECT_FALSE(table.empty());
+}
+
+TEST_F(Offers, AClaimOfWhoDoesNotWaitAnyMoreHasNoEffect) {
+  lock_now(ann, LockLevel::odr);
+  auto wait = queue_claimant(bob);
+  queue_claimant(cid);
+  unlock();
+  table.cancel("x", *bob, wait, now);
+  table.claim("x", *bob, wait, now);
+  table.claim("y", *bob, wait, now);
+  EXPECT_EQ(settled(), Strings{});
+  EXPECT_EQ(offers(), (Strings{"bob", "cid"}));
+}
+
+TEST_F(Offers, TheEndOfTheFirstClientMakesAnOfferToTheNext) {
+  lock_now(ann, LockLevel::odr);
+  queue_claimant(bob);
+  queue_claimant(cid);
+  unlock();
+  table.drop(*bob, now);
+  EXPECT_EQ(offers(), (Strings{"bob", "cid"}));
+  EXPECT_EQ(table.waiting("x")->size(), 1u);
+  table.drop(*cid, now);
+  EXPECT_TRUE(table.empty());
+  EXPECT_FALSE(table.next_deadline());
+}
+
+TEST_F(Offers, EndWithTheEntry) {
+  lock_now(ann, LockLevel::odr);
+  queue_claimant(bob);
+  unlock();
+  table.erase("x");
+  EXPECT_EQ(settled(), Strings{"deleted bob"});
+  EXPECT_TRUE(table.empty());
+  EXPECT_FALSE(table.next_deadline());
+}
+
+TEST_F(Offers, EndWithThePatienceOfTheClient) {
+  lock_now(ann, LockLevel::odr);
+  queue_claimant(bob, LockLevel::o, 300us);
+  unlock();
+  pass(300us);
+  EXPECT_EQ(settled(), Strings{"timed out bob"});
+  EXPECT_NE(lock_now(cid, LockLevel::o), 0u);
+  pass(300us);
+  EXPECT_EQ(table.holding("x")->holder->component, "cid");
+  unlock();
+  EXPECT_TRUE(table.empty());
+  EXPECT_FALSE(table.next_deadline());
+}
+
+TEST_F(Offers, LeaveNothingBehindWhenNobodyWaitsAnyMore) {
+  lock_now(ann, LockLevel::odr);
+  queue_claimant(bob, LockLevel::o, 300us);
+  unlock();
+  pass(500us);
+  EXPECT_EQ(settled(), Strings{"timed out bob"});
+  EXPECT_TRUE(table.empty());
+}
+
 TEST_F(Leases, NothingIsLeftOfWhatIsOver) {
   for (int i = 0; i < 100; ++i) {
     auto token = lock_now(ann, LockLevel::odr);

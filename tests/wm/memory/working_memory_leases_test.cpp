@@ -25,6 +25,7 @@ struct Claimant {
   std::vector<Outcome<Acknowledged>> unlocks;
   std::vector<Outcome<Version>> writes;
   std::vector<DeadlockProbe> probes;
+  std::vector<LeaseOffer> offers;
   WaitNumber numbers = 0;
 };
 
@@ -45,7 +46,8 @@ protected:
               [&](const Outcome<std::vector<EntryPtr>>& x) { result.queries.push_back(x); },
               [&](const Outcome<Acknowledged>& x) { result.unlocks.push_back(x); },
               [&](const Outcome<Version>& x) { result.writes.push_back(x); },
-              [&](const DeadlockProbe& x) { result.probes.push_back(x); }};
+              [&](const DeadlockProbe& x) { result.probes.push_back(x); },
+              [&](const LeaseOffer& x) { result.offers.push_back(x); }};
     });
     return result;
   }
@@ -63,6 +65,14 @@ protected:
   void lock(Claimant& who, LockLevel level, Timestamp at_most = 10s, const Address& at = {"a", "x"},
             const std::string& via = "a") {
     tell(who, LockRequest{at, level, patience(who, at_most)}, via);
+  }
+
+  void lock_by_claim(Claimant& who, const std::string& via = "a") {
+    tell(who, LockRequest{{"a", "x"}, LockLevel::odr, patience(who), true}, via);
+  }
+
+  void claim(Claimant& who, const std::string& via = "a") {
+    tell(who, ClaimLease{who.offers.back().address, who.client, who.offers.back().number}, via);
   }
 
   /// The token of the last lease that was granted.
@@ -114,6 +124,42 @@ TEST_F(WorkingMemoryLeases, AreAskedForAndGrantedThroughAnyWorkingMemory) {
   EXPECT_EQ(bob.leases.size(), 0u);
   unlock(ann);
   EXPECT_EQ(bob.leases.size(), 1u);
+}
+
+TEST_F(WorkingMemoryLeases, AreOfferedToClientsThatClaimThemThroughAnyWorkingMemory) {
+  ASSERT_TRUE(add({"a", "x"}));
+  auto& ann = claimant("ann");
+  auto& bob = claimant("bob", "c");
+  lock(ann, LockLevel::odr);
+  lock_by_claim(bob, "c");
+  unlock(ann);
+  ASSERT_EQ(bob.offers.size(), 1u);
+  EXPECT_EQ(bob.leases.size(), 0u);
+  lock(ann, LockLevel::odr);
+  ASSERT_EQ(ann.leases.size(), 2u) << "ann overtakes bob, who is not awake";
+  unlock(ann);
+  claim(bob, "c");
+  ASSERT_EQ(bob.leases.size(), 1u);
+  EXPECT_GT(token(bob), token(ann));
+  EXPECT_EQ(bob.offers.size(), 1u);
+}
+
+TEST_F(WorkingMemoryLeases, AreGrantedToWhoWasOvertakenForHalfAMillisecond) {
+  ASSERT_TRUE(add({"a", "x"}));
+  auto& ann = claimant("ann");
+  auto& bob = claimant("bob");
+  lock(ann, LockLevel::odr);
+  lock_by_claim(bob);
+  unlock(ann);
+  let_pass(499us);
+  lock(ann, LockLevel::odr);
+  EXPECT_EQ(ann.leases.size(), 2u);
+  unlock(ann);
+  EXPECT_EQ(bob.leases.size(), 0u);
+  let_pass(1us);
+  EXPECT_EQ(bob.leases.size(), 1u) << "by the working memory's own alarm";
+  lock(ann, LockLevel::odr);
+  EXPECT_EQ(ann.leases.size(), 2u);
 }
 
 TEST_F(WorkingMemoryLeases, ATryIsRefusedAtOnceAndSaysWhoHoldsIt) {
