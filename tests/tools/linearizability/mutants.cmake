@@ -101,10 +101,6 @@ castor_mutant(overtaking_has_no_end wm/leases/lease_table.cpp ALL
   FROM "return !row.overtaken_until || now < *row.overtaken_until;"
   TO "return true;")
 
-castor_mutant(clients_overtake_themselves wm/leases/lease_table.cpp
-  FROM "return x.level && *x.client == *client; }))"
-  TO "return false && x.level; }))")
-
 castor_mutant(leases_outlive_holders wm/leases/lease_table.cpp
   FROM "if (*row.holding->holder == client)
       held.push_back(id);"
