@@ -1,21 +1,12 @@
 #pragma once
 
-#include "castor/wm/entries/address.hpp"
-#include "castor/wm/entries/entry.hpp"
+#include "castor/actors/runtime/version_table.hpp"
 
 #include <cstddef>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace castor {
-
-/// The version of an entry that a component last read or wrote.
-struct SeenVersion {
-  Version version = 0;
-  /// Whether it is the version after writes that were sent and not answered yet, if they succeed.
-  bool expected = false;
-};
 
 /// Which version of which entry a component last read or wrote. Remembers the last `capacity`
 /// entries at least and twice as many at most, so that memory stays bounded while entries come and
@@ -25,7 +16,7 @@ public:
   explicit SeenVersions(std::size_t capacity = 100'000) : capacity_(capacity) {}
 
   void set(const Address& address, Version version, bool expected = false) {
-    young_[address] = {version, expected};
+    young_.set(VersionTable::fingerprint(address), {version, expected});
     if (young_.size() > capacity_) {
       old_ = std::move(young_);
       young_.clear();
@@ -38,23 +29,21 @@ public:
   }
 
   std::optional<SeenVersion> find(const Address& address) const {
-    for (auto* generation : {&young_, &old_})
-      if (auto i = generation->find(address); i != generation->end())
-        return i->second;
-    return std::nullopt;
+    auto key = VersionTable::fingerprint(address);
+    auto x = young_.find(key);
+    return x ? x : old_.find(key);
   }
 
   void erase(const Address& address) {
-    young_.erase(address);
-    old_.erase(address);
+    auto key = VersionTable::fingerprint(address);
+    young_.erase(key);
+    old_.erase(key);
   }
 
 private:
-  using Generation = std::unordered_map<Address, SeenVersion>;
-
   std::size_t capacity_;
-  Generation young_;
-  Generation old_;
+  VersionTable young_;
+  VersionTable old_;
 };
 
 } // namespace castor

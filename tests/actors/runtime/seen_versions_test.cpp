@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <map>
+#include <random>
 #include <string>
 
 namespace castor {
@@ -47,6 +50,41 @@ TEST(SeenVersions, TheNewestCountsAcrossGenerations) {
   EXPECT_EQ(seen.get(at(1)), 2u);
   seen.erase(at(1));
   EXPECT_EQ(seen.get(at(1)), std::nullopt);
+}
+
+TEST(VersionTable, AgreesWithAMap) {
+  std::mt19937 random{1};
+  for (int run = 0; run < 20; ++run) {
+    VersionTable table;
+    std::map<int, SeenVersion> expected;
+    auto ids = std::size_t{1} << (run % 12);
+    for (int step = 0; step < 20'000; ++step) {
+      auto id = static_cast<int>(random() % ids);
+      auto key = VersionTable::fingerprint(at(id));
+      if (random() % 5 < 3) {
+        SeenVersion x{random(), random() % 2 == 0};
+        table.set(key, x);
+        expected[id] = x;
+      } else {
+        table.erase(key);
+        expected.erase(id);
+      }
+      ASSERT_EQ(table.size(), expected.size());
+      auto other = static_cast<int>(random() % ids);
+      auto found = table.find(VersionTable::fingerprint(at(other)));
+      auto i = expected.find(other);
+      ASSERT_EQ(found.has_value(), i != expected.end());
+      if (found) {
+        ASSERT_EQ(found->version, i->second.version);
+        ASSERT_EQ(found->expected, i->second.expected);
+      }
+    }
+  }
+}
+
+TEST(VersionTable, TellsSubarchitecturesAndIdsApart) {
+  EXPECT_FALSE(VersionTable::fingerprint({"ab", "c"}) == VersionTable::fingerprint({"a", "bc"}));
+  EXPECT_FALSE(VersionTable::fingerprint({"a", "b"}) == VersionTable::fingerprint({"b", "a"}));
 }
 
 } // namespace
