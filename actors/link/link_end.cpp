@@ -375,11 +375,11 @@ void LinkEnd::flush() {
 // -- signs of life
 
 bool LinkEnd::is_awake(Clock::time_point now) const {
-  return !greeted_ || now < awake_until_ || session_.unacknowledged() > 0 ||
-         session_.waiting() > 0;
+  return !greeted_ || now < awake_until_ || session_.unacknowledged() > 0 || session_.waiting() > 0;
 }
 
 void LinkEnd::wake(Clock::time_point now) {
+  next_announcement_ = {};
   if (!is_awake(now))
     awake_since_ = now;
   awake_until_ = std::max(awake_until_, now + parts_.options.rest_after);
@@ -387,9 +387,16 @@ void LinkEnd::wake(Clock::time_point now) {
     schedule_tick(now, parts_.options.heartbeat);
 }
 
+/// By that of a process, the coordinator notices its loss. The coordinator's own loss is noticed by
+/// whoever wants something of it, which wakes the link.
 LinkEnd::Milliseconds LinkEnd::resting_heartbeat() const {
-  auto is_coordinators = parts_.peer == 0 || parts_.mesh->self() == 0;
-  return is_coordinators ? parts_.options.silence / 3 : parts_.options.resting_heartbeat;
+  return parts_.peer == 0 ? parts_.options.silence / 2 : parts_.options.resting_heartbeat;
+}
+
+/// How often a link that rests looks whether the peer keeps its promise, and whether it is time for
+/// a heartbeat of its own.
+LinkEnd::Milliseconds LinkEnd::resting_period() const {
+  return parts_.mesh->self() == 0 ? parts_.options.silence / 3 : resting_heartbeat();
 }
 
 void LinkEnd::schedule_tick(Clock::time_point now, Milliseconds after) {
@@ -419,15 +426,18 @@ void LinkEnd::tick() {
     return;
   auto& options = parts_.options;
   auto awake = is_awake(now);
-  schedule_tick(now, awake ? options.heartbeat : resting_heartbeat());
+  schedule_tick(now, awake ? options.heartbeat : resting_period());
   if (connection_ && discarding_input_ && !is_silent())
     disconnected("sent data was not acknowledged");
   if (connection_) {
     if (misses_peer(now)) {
       disconnected("no sign of life");
     } else if (greeted_ && !awake) {
-      session_.announce(resting_heartbeat() + options.heartbeat);
-      flush();
+      if (now >= next_announcement_) {
+        session_.announce(resting_heartbeat() + options.heartbeat);
+        flush();
+        next_announcement_ = now + resting_heartbeat() - options.heartbeat / 2;
+      }
     } else if (greeted_ && !std::exchange(wrote_since_tick_, false)) {
       session_.remind(options.heartbeat);
       flush();

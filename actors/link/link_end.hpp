@@ -121,6 +121,7 @@ private:
   /// A message passes.
   void wake(Clock::time_point now);
   Milliseconds resting_heartbeat() const;
+  Milliseconds resting_period() const;
   void tick();
   void schedule_tick(Clock::time_point now, Milliseconds after);
   bool misses_peer(Clock::time_point now) const;
@@ -147,6 +148,8 @@ private:
   std::size_t in_buffer_ = 0;
   bool wrote_since_tick_ = false;
   Clock::time_point next_tick_;
+  /// When to send the next heartbeat while the link rests.
+  Clock::time_point next_announcement_;
   /// Since when the link does not rest, and when it may rest again.
   Clock::time_point awake_since_;
   Clock::time_point awake_until_;

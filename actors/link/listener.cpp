@@ -29,6 +29,9 @@ using caf::io::connection_handle;
 
 constexpr std::size_t greeting_bytes_at_once = 4096;
 constexpr std::chrono::milliseconds period{250};
+/// While no connection waits for anything; repeated lines of the log do. It ticks at whole ones, as
+/// the links of all processes of a machine do, so that the machine has to wake up only once.
+constexpr std::chrono::milliseconds resting_period{2000};
 
 /// A connection that has not said what it wants.
 struct Stranger {
@@ -62,7 +65,7 @@ public:
                                    " connections: " + x.problem +
                                    "; `ulimit -n` is how many file descriptors a process may have");
                   }});
-    send_later(self_, period, TickAtom::value);
+    schedule_tick(resting_period);
     auto listener = shared_from_this();
     return {
       [listener](const caf::io::new_connection_msg& x) { listener->admit(x.handle); },
@@ -92,7 +95,14 @@ private:
     return result;
   }
 
+  void schedule_tick(std::chrono::milliseconds after) {
+    next_tick_ = Clock::now() + after;
+    send_later(self_, after, TickAtom::value);
+  }
+
   void admit(connection_handle handle) {
+    if (next_tick_ > Clock::now() + period)
+      schedule_tick(period);
     // CAF numbers connections by their sockets.
     auto peer = local_peer(static_cast<int>(handle.id()));
     Stranger stranger{peer ? to_string(*peer) : self_->remote_addr(handle),
@@ -229,16 +239,23 @@ private:
   }
 
   void tick() {
-    send_later(self_, period, TickAtom::value);
     auto now = Clock::now();
+    // There are ticks from before a connection came.
+    if (now + std::chrono::milliseconds{1} < next_tick_)
+      return;
     take_back_given(now);
     for (auto id : admission_.late(now))
       turn_away(connection_handle::from_int(id), "it did not introduce itself in time");
     write_repeated();
+    const auto is_resting = strangers_.empty() && given_.empty();
+    schedule_tick(is_resting ? std::chrono::ceil<std::chrono::milliseconds>(
+                                 resting_period - now.time_since_epoch() % resting_period)
+                             : period);
   }
 
   caf::io::broker* self_;
   ListenerParts parts_;
+  Clock::time_point next_tick_;
   Admission admission_;
   std::unordered_map<connection_handle, Stranger> strangers_;
   /// What links may take, and until when.

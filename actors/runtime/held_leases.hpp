@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/runtime/rest.hpp"
 #include "castor/wm/entries/address.hpp"
 #include "castor/wm/entries/lease.hpp"
 
@@ -7,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -19,6 +21,14 @@ namespace castor {
 /// keeper renews them. Safe to use from any thread.
 class HeldLeases {
 public:
+  /// `rest`, that of the keeper, ends when there is a lease.
+  void set_rest(std::shared_ptr<Rest> rest) {
+    std::lock_guard guard{mutex_};
+    rest_ = std::move(rest);
+  }
+
+  bool empty() const { return count_ == 0; }
+
   /// A lease was obtained, for the first time or repeatedly.
   void add(const Address& address, LeaseToken token) {
     std::lock_guard guard{mutex_};
@@ -27,6 +37,8 @@ public:
       x = {token, 0, false};
     ++x.times;
     count_ = leases_.size();
+    if (rest_)
+      rest_->end();
   }
 
   /// Undoes one lock of that lease; false if the entry is gone, and its lease with it.
@@ -93,6 +105,7 @@ public:
 
 private:
   mutable std::mutex mutex_;
+  std::shared_ptr<Rest> rest_;
   std::map<Address, Held> leases_;
   /// Size of `leases_`, so that components without leases need no lock.
   std::atomic<std::size_t> count_{0};

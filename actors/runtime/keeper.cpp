@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 #ifdef __GLIBC__
@@ -19,7 +20,18 @@ namespace {
 
 using TickAtom = caf::atom_constant<caf::atom("tick")>;
 
-constexpr std::chrono::milliseconds period{1000 / DeletionWatch::checks_per_second};
+using LeaseAtom = caf::atom_constant<caf::atom("lease")>;
+
+constexpr std::chrono::milliseconds period{250};
+/// Budgets are seconds. It looks at whole ones, as the links of all processes of a machine do, so
+/// that the machine has to wake up only once for them.
+constexpr std::chrono::milliseconds resting_period{1000};
+
+/// Time until the next whole `step` of the clock.
+ComponentRecord::Clock::duration until_whole(ComponentRecord::Clock::duration step,
+                                             ComponentRecord::Clock::time_point now) {
+  return step - now.time_since_epoch() % step;
+}
 constexpr std::chrono::seconds patience{5};
 
 /// Renews what one component holds, and tells it what it has lost.
@@ -69,12 +81,14 @@ std::vector<Overrun> BudgetWatch::check(ComponentRecord::Clock::time_point now) 
   return result;
 }
 
-bool DeletionWatch::check(std::uint64_t deletions) {
-  if (!given_back_at_)
+bool DeletionWatch::check(std::uint64_t deletions, Clock::time_point now) {
+  if (!given_back_at_) {
     given_back_at_ = second_began_at_ = deletions;
-  if (++checks_ < checks_per_second)
+    second_began_ = now;
+  }
+  if (now - second_began_ < std::chrono::seconds{1})
     return false;
-  checks_ = 0;
+  second_began_ = now;
   const auto in_second = deletions - std::exchange(second_began_at_, deletions);
   if (in_second >= few || deletions - *given_back_at_ < many)
     return false;
@@ -82,32 +96,82 @@ bool DeletionWatch::check(std::uint64_t deletions) {
   return true;
 }
 
+namespace {
+
+class Keeper : public std::enable_shared_from_this<Keeper> {
+public:
+  Keeper(caf::event_based_actor* self, KeeperParts parts)
+    : self_(self), parts_(std::move(parts)),
+      watch_({parts_.components.begin(), parts_.components.end()}),
+      rest_(std::make_shared<Rest>([keeper = caf::actor_cast<caf::actor_addr>(self)] {
+        if (auto to = caf::actor_cast<caf::actor>(keeper))
+          caf::anon_send(to, LeaseAtom::value);
+      })) {}
+
+  caf::behavior begin() {
+    for (auto& x : parts_.components)
+      x->leases.set_rest(rest_);
+    schedule(period);
+    auto keeper = shared_from_this();
+    return {
+      [keeper](TickAtom, std::uint64_t number) {
+        if (number == keeper->ticks_)
+          keeper->look();
+      },
+      // It is to be renewed soon.
+      [keeper](LeaseAtom) { keeper->schedule(period); },
+    };
+  }
+
+private:
+  /// Replaces the tick that was scheduled before.
+  void schedule(ComponentRecord::Clock::duration after) {
+    self_->delayed_send(self_, after, TickAtom::value, ++ticks_);
+  }
+
+  void look() {
+    const auto now = self_->clock().now();
+    for (auto& x : watch_.check(now))
+      report(x);
+    for (auto& x : parts_.components)
+      if (BudgetWatch::is_responsive(*x, now))
+        renew_leases(self_, parts_, x);
+    if (deletions_.check(EntryTable::deletions(), now))
+      give_back_memory();
+    rest_->begin();
+    // A lease that comes from here on ends the rest.
+    schedule(is_anything_to_watch(now) ? period : until_whole(resting_period, now));
+  }
+
+  void report(const Overrun& x) {
+    log_runtime(
+      LogLevel::warning, x.component->identity().full_name(),
+      fmt::format("has computed for {:.1f} s without a pause, its --budget is {:.1f} s; it "
+                  "receives neither events nor a stop request meanwhile, and its leases expire",
+                  std::chrono::duration<double>(x.duration).count(),
+                  std::chrono::duration<double>(x.component->budget()).count()));
+    if (parts_.on_overrun)
+      parts_.on_overrun(x);
+  }
+
+  bool is_anything_to_watch(ComponentRecord::Clock::time_point now) const {
+    return std::ranges::any_of(parts_.components, [&](auto& x) {
+      return !x->leases.empty() || x->in_user_code_for(now) > std::chrono::nanoseconds{0};
+    });
+  }
+
+  caf::event_based_actor* self_;
+  const KeeperParts parts_;
+  BudgetWatch watch_;
+  DeletionWatch deletions_;
+  const std::shared_ptr<Rest> rest_;
+  std::uint64_t ticks_ = 0;
+};
+
+} // namespace
+
 caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts) {
-  auto watch = std::make_shared<BudgetWatch>(std::vector<std::shared_ptr<const ComponentRecord>>(
-    parts.components.begin(), parts.components.end()));
-  auto deletions = std::make_shared<DeletionWatch>();
-  self->delayed_send(self, period, TickAtom::value);
-  return {
-    [self, watch, deletions, parts = std::move(parts)](TickAtom) {
-      auto now = self->clock().now();
-      for (auto& x : watch->check(now)) {
-        log_runtime(
-          LogLevel::warning, x.component->identity().full_name(),
-          fmt::format("has computed for {:.1f} s without a pause, its --budget is {:.1f} s; it "
-                      "receives neither events nor a stop request meanwhile, and its leases expire",
-                      std::chrono::duration<double>(x.duration).count(),
-                      std::chrono::duration<double>(x.component->budget()).count()));
-        if (parts.on_overrun)
-          parts.on_overrun(x);
-      }
-      for (auto& x : parts.components)
-        if (BudgetWatch::is_responsive(*x, now))
-          renew_leases(self, parts, x);
-      if (deletions->check(EntryTable::deletions()))
-        give_back_memory();
-      self->delayed_send(self, period, TickAtom::value);
-    },
-  };
+  return std::make_shared<Keeper>(self, std::move(parts))->begin();
 }
 
 } // namespace castor

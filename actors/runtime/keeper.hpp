@@ -46,11 +46,12 @@ private:
 /// whoever wants memory waits meanwhile.
 class DeletionWatch {
 public:
-  /// To be called at even intervals, `checks_per_second` times a second, with the number of
-  /// deletions so far; true if memory is to be given back now.
-  bool check(std::uint64_t deletions);
+  using Clock = std::chrono::steady_clock;
 
-  static constexpr int checks_per_second = 4;
+  /// To be called once a second or more often, with the number of deletions so far; true if memory
+  /// is to be given back now.
+  bool check(std::uint64_t deletions, Clock::time_point now);
+
   /// So many deletions are many, and fewer in a second are few.
   static constexpr std::uint64_t many = 10'000;
   static constexpr std::uint64_t few = 1'000;
@@ -58,7 +59,7 @@ public:
 private:
   std::optional<std::uint64_t> given_back_at_;
   std::uint64_t second_began_at_ = 0;
-  int checks_ = 0;
+  Clock::time_point second_began_;
 };
 
 struct KeeperParts {
@@ -70,7 +71,8 @@ struct KeeperParts {
 };
 
 /// The keeper of one process: renews the leases of its components while they return from their own
-/// code within their budget, reports those that do not, and gives memory back to the system.
+/// code within their budget, reports those that do not, and gives memory back to the system. It looks
+/// four times a second, and once while no component holds a lease or runs its own code.
 caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts);
 
 } // namespace castor

@@ -1,5 +1,10 @@
 #include "castor/actors/runtime/keeper.hpp"
 
+#include "castor/tools/simulation/testing_system.hpp"
+
+#include <caf/event_based_actor.hpp>
+#include <caf/send.hpp>
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -61,11 +66,12 @@ std::vector<int> given_back(const std::vector<std::uint64_t>& deletions) {
   DeletionWatch watch;
   std::vector<int> result;
   std::uint64_t all = 7'000'000;
-  watch.check(all);
+  DeletionWatch::Clock::time_point now{1000s};
+  watch.check(all, now);
   for (std::size_t i = 0; i < deletions.size(); ++i) {
     all += deletions[i];
-    for (int j = 0; j < DeletionWatch::checks_per_second; ++j)
-      if (watch.check(all))
+    for (int j = 0; j < 4; ++j)
+      if (watch.check(all, now += 250ms))
         result.push_back(static_cast<int>(i));
   }
   return result;
@@ -83,6 +89,76 @@ TEST(DeletionWatch, FewDeletionsAreNotWorthIt) {
 
 TEST(DeletionWatch, EntriesThatComeAndGoKeepTheirMemory) {
   EXPECT_EQ(given_back(std::vector<std::uint64_t>(100, 20'000)), std::vector<int>{});
+}
+
+class KeptLeases : public testing::Test, protected simulation::TestingSystem {
+protected:
+  KeptLeases() {
+    const auto wm = system.spawn([this]() -> caf::behavior {
+      return {[this](const RenewRequest& x) {
+        renewed += x.leases.size();
+        return RenewReply{};
+      }};
+    });
+    KeeperParts parts;
+    parts.components = {component};
+    parts.working_memories["a"] = caf::actor_cast<WorkingMemoryActor>(wm);
+    actor = system.spawn(keeper, std::move(parts));
+    actors = {actor, wm};
+    scheduler.run();
+  }
+
+  ~KeptLeases() override {
+    for (auto& x : actors)
+      caf::anon_send_exit(x, caf::exit_reason::user_shutdown);
+    scheduler.run();
+  }
+
+  /// Lets time pass in steps, as many timers were set while it passes.
+  void pass(std::chrono::milliseconds duration) {
+    for (auto left = duration; left > 0ms; left -= 50ms) {
+      scheduler.advance_time(50ms);
+      scheduler.run();
+    }
+  }
+
+  std::shared_ptr<ComponentRecord> component =
+    std::make_shared<ComponentRecord>(ComponentIdentity{"thinker", "a", "Thinker", 0});
+  std::size_t renewed = 0;
+  caf::actor actor;
+  std::vector<caf::actor> actors;
+};
+
+TEST_F(KeptLeases, AreRenewedFourTimesASecond) {
+  component->leases.add({"a", "1"}, 7);
+  pass(10s);
+  EXPECT_NEAR(static_cast<double>(renewed), 40, 2);
+}
+
+TEST_F(KeptLeases, AreRenewedSoonAfterARest) {
+  for (LeaseToken token = 1; token <= 20; ++token) {
+    pass(2s + 50ms * token);
+    ASSERT_EQ(renewed, 0u);
+    component->leases.add({"a", "1"}, token);
+    pass(300ms);
+    EXPECT_EQ(renewed, 1u);
+    component->leases.release({"a", "1"}, token);
+    renewed = 0;
+  }
+}
+
+TEST_F(KeptLeases, WithoutAnyTheKeeperLooksOnceASecond) {
+  pass(5s);
+  auto& timers = scheduler.clock().schedule();
+  ASSERT_EQ(timers.size(), 1u);
+  const auto first = timers.begin()->first;
+  pass(1s);
+  ASSERT_EQ(timers.size(), 1u);
+  EXPECT_EQ(timers.begin()->first - first, 1s);
+  component->enter_user_code(scheduler.clock().now() - 1ms);
+  pass(1s);
+  ASSERT_EQ(timers.size(), 1u);
+  EXPECT_LE(timers.begin()->first - scheduler.clock().now(), 250ms) << "its budget is watched";
 }
 
 } // namespace
