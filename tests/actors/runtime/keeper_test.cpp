@@ -94,6 +94,7 @@ TEST(DeletionWatch, EntriesThatComeAndGoKeepTheirMemory) {
 class KeptLeases : public testing::Test, protected simulation::TestingSystem {
 protected:
   KeptLeases() {
+    component->set_budget(5s);
     const auto wm = system.spawn([this]() -> caf::behavior {
       return {[this](const RenewRequest& x) {
         renewed += x.leases.size();
