@@ -4,6 +4,7 @@
 /// filters and predicates, and what operations throw. `castor/tools/testing/test_system.hpp` is for
 /// tests of systems, `castor/actors/system/system.hpp` for programs that run them.
 #include "castor/actors/component/call_types.hpp"
+#include "castor/actors/component/callback_component.hpp"
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/entry_pointer.hpp"
 #include "castor/actors/component/health.hpp"

@@ -12,6 +12,7 @@ struct TypeDescriptor;
 class Predicate;
 class Value;
 
+class CallbackComponent;
 class Component;
 class LockGuard;
 class ManagedComponent;

@@ -36,13 +36,13 @@ public:
 
   virtual Pending<Version> write(Operation operation, const Address& address, Value value,
                                  std::optional<EntryLife> life) = 0;
-  virtual std::vector<Version> write(const WriteBatch& batch) = 0;
+  virtual Pending<std::vector<Version>> write(const WriteBatch& batch) = 0;
   virtual Pending<EntryPtr> read(const Address& address) = 0;
   /// The same without a message, where that is possible.
   virtual EntryPtr read_now(const Address& address) = 0;
-  virtual std::vector<EntryPtr> query(TypeQuery query) = 0;
-  virtual bool exists(const Address& address) = 0;
-  virtual Version version(const Address& address) = 0;
+  virtual Pending<std::vector<EntryPtr>> query(TypeQuery query) = 0;
+  virtual Pending<bool> exists(const Address& address) = 0;
+  virtual Pending<Version> version(const Address& address) = 0;
 
   // -- leases
 

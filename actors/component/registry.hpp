@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/component/callback_component.hpp"
 #include "castor/actors/component/component.hpp"
 #include "castor/actors/component/component_kind.hpp"
 #include "castor/actors/component/managed_component.hpp"
@@ -22,6 +23,8 @@ struct ComponentClass {
   std::string help;
   ComponentKind kind = ComponentKind::managed;
   std::function<std::unique_ptr<Component>()> make;
+  /// Whether each has a thread of its own.
+  bool has_thread = true;
 };
 
 /// The component classes that this process has. Filled by CASTOR_COMPONENT while libraries are
@@ -60,7 +63,8 @@ constexpr ComponentKind kind_of_component() {
 template <class T>
 bool register_component(std::string name, std::string help) {
   Registry::instance().add({std::move(name), std::move(help), kind_of_component<T>(),
-                            [] { return std::make_unique<T>(); }});
+                            [] { return std::make_unique<T>(); },
+                            !std::is_base_of_v<CallbackComponent, T>});
   return true;
 }
 

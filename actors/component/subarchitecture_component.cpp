@@ -70,7 +70,7 @@ void SubarchitectureComponent::put_value(const Address& address, const Value& va
 }
 
 std::vector<Version> SubarchitectureComponent::write(const WriteBatch& batch) {
-  return operations().write(batch);
+  return operations().write(batch).get();
 }
 
 // -- reading
@@ -84,15 +84,15 @@ Pending<EntryPtr> SubarchitectureComponent::read_entry_async(const Address& addr
 }
 
 std::vector<EntryPtr> SubarchitectureComponent::read_entries(TypeQuery query) {
-  return operations().query(std::move(query));
+  return operations().query(std::move(query)).get();
 }
 
 bool SubarchitectureComponent::exists(const Address& address) {
-  return operations().exists(address);
+  return operations().exists(address).get();
 }
 
 Version SubarchitectureComponent::version(const Address& address) {
-  return operations().version(address);
+  return operations().version(address).get();
 }
 
 const Address& SubarchitectureComponent::require_target(const Address& address) const {

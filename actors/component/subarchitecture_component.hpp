@@ -275,8 +275,7 @@ protected:
 
   template <ReflectedRecord T>
   Pending<EntryOf<T>> read_async(const Address& address) {
-    return Pending<EntryOf<T>>{
-      [this, pending = read_entry_async(address)]() mutable { return typed<T>(pending.get()); }};
+    return read_entry_async(address).map([this](const EntryPtr& entry) { return typed<T>(entry); });
   }
 
   // -- change events
@@ -303,6 +302,7 @@ private:
   friend class ActionExecution;
   friend class ActionExecutor;
   friend class ActionRequester;
+  friend class CallbackComponent;
   friend class ComponentCalls;
   friend class ComponentShell;
 

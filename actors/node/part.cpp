@@ -1,5 +1,6 @@
 #include "castor/actors/node/part.hpp"
 
+#include "castor/actors/component/callback_component.hpp"
 #include "castor/actors/component/health.hpp"
 #include "castor/actors/node/check.hpp"
 #include "castor/actors/node/incarnation.hpp"
@@ -7,6 +8,7 @@
 #include "castor/actors/node/working_memory_class.hpp"
 #include "castor/actors/runtime/keeper.hpp"
 #include "castor/actors/runtime/plugin.hpp"
+#include "castor/actors/runtime/pooled_shell.hpp"
 #include "castor/actors/runtime/shell.hpp"
 #include "castor/base/log.hpp"
 #include "castor/wm/entries/client.hpp"
@@ -58,6 +60,11 @@ JournalOptions journal_options(const WorkingMemoryClass& wm_class,
   result.returning = incarnation > 1;
   result.report = [](const std::string& what) { log_runtime(LogLevel::error, what); };
   return result;
+}
+
+bool has_thread(const ComponentDescription& x) {
+  auto* found = find_class(x.class_name).found;
+  return !found || found->has_thread;
 }
 
 /// In bytes.
@@ -117,6 +124,8 @@ PartSpawn::PartSpawn()
       return system.spawn(castor::working_memory, std::move(options));
     }),
     component([](caf::actor_system& system, ShellParts parts) -> caf::actor {
+      if (dynamic_cast<CallbackComponent*>(parts.component.get()))
+        return system.spawn<PooledShell>(std::move(parts));
       return system.spawn<ComponentShell>(std::move(parts));
     }),
     why_no_threads(castor::why_no_threads) {}
@@ -168,7 +177,7 @@ void SystemPart::check_threads(const std::vector<const ComponentDescription*>& m
   std::size_t count = 0;
   const ComponentDescription* last = nullptr;
   for (auto* x : missing)
-    if (x->kind != ComponentKind::working_memory) {
+    if (x->kind != ComponentKind::working_memory && has_thread(*x)) {
       ++count;
       last = x;
     }
@@ -180,7 +189,7 @@ void SystemPart::check_threads(const std::vector<const ComponentDescription*>& m
                         last->line,
                         {},
                         "each component has a thread of its own: " + problem,
-                        {}});
+                        "derive those that only have callbacks from CallbackComponent"});
 }
 
 void SystemPart::list_working_memories() {
@@ -200,7 +209,8 @@ void SystemPart::restart(const std::string& component, std::uint64_t incarnation
     caf::anon_send_exit(y.actor, caf::exit_reason::user_shutdown);
     return true;
   });
-  if (auto problem = spawn_.why_no_threads ? spawn_.why_no_threads(1) : std::string{};
+  if (auto problem =
+        spawn_.why_no_threads && has_thread(*x) ? spawn_.why_no_threads(1) : std::string{};
       !problem.empty()) {
     log_runtime(LogLevel::error, component, problem);
     return;

@@ -44,6 +44,8 @@ public:
   SystemPart(caf::actor_system& system, ProcessNumber self, PartSpawn spawn = {},
              std::shared_ptr<SimulatedClock> clock = nullptr)
     : system_(system), self_(self), spawn_(std::move(spawn)) {
+    services_->pool =
+      std::make_shared<ComponentPool>(system, clock ? clock->shared_activity() : nullptr);
     services_->clock = std::move(clock);
   }
   SystemPart(const SystemPart&) = delete;

@@ -31,7 +31,59 @@ private:
   Address address_;
 };
 
+const char* name_of(Operation x) {
+  switch (x) {
+    case Operation::add:
+      return "add";
+    case Operation::overwrite:
+      return "overwrite";
+    case Operation::remove:
+      break;
+  }
+  return "delete";
+}
+
+std::string result_of(const char* operation, const Address& address) {
+  return "the callback for the result of " + std::string{operation} + " " + to_string(address);
+}
+
 } // namespace
+
+// -- results
+
+template <class T>
+Pending<T> ComponentOperations::pending(std::uint64_t id, const char* what, const Address& address,
+                                        std::function<T()> finish) {
+  if (parts_.waits)
+    // Captures that need no memory: most operations are finished by `get`.
+    return Pending<T>{std::move(finish), [this, id](std::function<void()> f) {
+                        auto file = [this, f = std::move(f)] {
+                          parts_.inbox.put(Inbox::Task{"the callback for a result", f});
+                        };
+                        id == 0 ? file() : parts_.client.on_answer(id, std::move(file));
+                      }};
+  auto opened = open(id, what, address, finish);
+  auto finish_settled = [this, id, finish = std::move(finish), address] {
+    parts_.client.check_settled(id, address);
+    return finish();
+  };
+  return Pending<T>{std::move(finish_settled),
+                    [opened](std::function<void()> f) { opened->call_back = std::move(f); }};
+}
+
+OpenOperations::OpenPtr ComponentOperations::open(std::uint64_t id, const char* what,
+                                                  const Address& address,
+                                                  std::function<void()> finish) {
+  OpenOperations::Open x{id, result_of(what, address), std::move(finish)};
+  if (id == 0)
+    return parts_.open.begin_done(std::move(x));
+  // Longer than the working memory's own patience, whose reply knows more.
+  constexpr std::chrono::seconds grace{1};
+  auto result = parts_.open.begin(std::move(x), ComponentContext::Clock::now() +
+                                                  parts_.context.deadline() + grace);
+  parts_.client.on_answer(id, [this, id] { parts_.open.answered(id); });
+  return result;
+}
 
 // -- writing
 
@@ -84,46 +136,57 @@ Pending<Version> ComponentOperations::write(Operation operation, const Address& 
   if (last_seen)
     seen_.set(address, *last_seen + 1, true);
   auto claim = std::make_shared<Claim>(parts_.client, id, address);
-  return Pending<Version>{[this, claim, operation, address, last_seen, expected] {
-    auto seen_meanwhile = seen_.find(address);
-    auto outcome = parts_.client.finish<Version>(claim->take(), address);
-    if (!outcome) {
-      if (last_seen && seen_meanwhile && seen_meanwhile->expected &&
-          seen_meanwhile->version > *last_seen)
-        seen_.set(address, *last_seen, expected);
-      throw_failure(outcome.failure());
-    }
-    remember_write(operation, address, *outcome);
-    // Of several overwrites in flight, the latest counts.
-    if (operation == Operation::overwrite && seen_meanwhile && seen_meanwhile->version > *outcome)
-      seen_.set(address, seen_meanwhile->version, seen_meanwhile->expected);
-    return *outcome;
-  }};
+  return pending<Version>(
+    id, name_of(operation), address, [this, claim, operation, address, last_seen, expected] {
+      auto seen_meanwhile = seen_.find(address);
+      auto outcome = parts_.client.finish<Version>(claim->take(), address);
+      if (!outcome) {
+        if (last_seen && seen_meanwhile && seen_meanwhile->expected &&
+            seen_meanwhile->version > *last_seen)
+          seen_.set(address, *last_seen, expected);
+        throw_failure(outcome.failure());
+      }
+      remember_write(operation, address, *outcome);
+      // Of several overwrites in flight, the latest counts.
+      if (operation == Operation::overwrite && seen_meanwhile && seen_meanwhile->version > *outcome)
+        seen_.set(address, seen_meanwhile->version, seen_meanwhile->expected);
+      return *outcome;
+    });
 }
 
-std::vector<Version> ComponentOperations::write(const WriteBatch& batch) {
+Pending<std::vector<Version>> ComponentOperations::write(const WriteBatch& batch) {
   auto& items = batch.items();
-  if (items.empty())
-    return {};
-  BatchRequest request{items.front().address.subarchitecture, {}};
+  Address where{items.empty() ? std::string{} : items.front().address.subarchitecture, {}};
+  BatchRequest request{where.subarchitecture, {}};
   for (auto& x : items) {
     request.writes.push_back(write_request(x.operation, x.address, x.value, x.life));
     request.writes.back().last_will = x.last_will;
   }
-  auto versions = value_or_throw(parts_.client.finish<std::vector<Version>>(
-    parts_.client.begin(request), {request.subarchitecture, {}}));
-  for (std::size_t i = 0; i < items.size(); ++i)
-    remember_write(items[i].operation, items[i].address, versions[i]);
-  return versions;
+  if (items.empty())
+    return pending<std::vector<Version>>(0, "write", where, [] { return std::vector<Version>{}; });
+  auto id = parts_.client.begin(request);
+  auto claim = std::make_shared<Claim>(parts_.client, id, where);
+  return pending<std::vector<Version>>(id, "write", where, [this, claim, where, items] {
+    auto versions =
+      value_or_throw(parts_.client.finish<std::vector<Version>>(claim->take(), where));
+    for (std::size_t i = 0; i < items.size(); ++i)
+      remember_write(items[i].operation, items[i].address, versions[i]);
+    return versions;
+  });
 }
 
 // -- reading
 
 Pending<EntryPtr> ComponentOperations::read(const Address& address) {
+  if (!parts_.waits)
+    if (auto entry = parts_.client.read_here(address)) {
+      note_read(*entry);
+      return pending<EntryPtr>(0, "read", address, [entry] { return entry; });
+    }
   auto patience = parts_.client.patience(parts_.context.deadline());
-  auto claim = std::make_shared<Claim>(
-    parts_.client, parts_.client.begin(ReadRequest{address, patience}), address);
-  return Pending<EntryPtr>{[this, claim, address, patience] {
+  auto id = parts_.client.begin(ReadRequest{address, patience});
+  auto claim = std::make_shared<Claim>(parts_.client, id, address);
+  return pending<EntryPtr>(id, "read", address, [this, claim, address, patience] {
     WaitEdge wait;
     wait.kind = WaitEdge::Kind::read;
     wait.address = address;
@@ -134,43 +197,57 @@ Pending<EntryPtr> ComponentOperations::read(const Address& address) {
         seen_.erase(address);
       throw_failure(outcome.failure());
     }
-    ++parts_.context.counters().reads;
-    seen_.set(address, (*outcome)->version);
+    note_read(**outcome);
     return *outcome;
-  }};
+  });
+}
+
+void ComponentOperations::note_read(const Entry& entry) {
+  ++parts_.context.counters().reads;
+  seen_.set(entry.address, entry.version);
 }
 
 EntryPtr ComponentOperations::read_now(const Address& address) {
   auto entry = parts_.client.read_here(address);
   if (!entry)
     return read(address).get();
-  ++parts_.context.counters().reads;
-  seen_.set(address, entry->version);
+  note_read(*entry);
   return entry;
 }
 
-std::vector<EntryPtr> ComponentOperations::query(TypeQuery query) {
+Pending<std::vector<EntryPtr>> ComponentOperations::query(TypeQuery query) {
   WaitEdge wait;
   wait.kind = WaitEdge::Kind::read;
   wait.address = {query.subarchitecture, {}};
   wait.what = "waits to read every " + query.type + " of " + query.subarchitecture;
+  auto where = wait.address;
   auto patience = parts_.client.patience(parts_.context.deadline());
-  auto entries = value_or_throw(parts_.client.finish_wait<std::vector<EntryPtr>>(
-    parts_.client.begin(QueryRequest{std::move(query), patience}), std::move(wait), patience));
-  parts_.context.counters().reads += entries.size();
-  for (auto& entry : entries)
-    seen_.set(entry->address, entry->version);
-  return entries;
+  auto id = parts_.client.begin(QueryRequest{std::move(query), patience});
+  auto claim = std::make_shared<Claim>(parts_.client, id, where);
+  return pending<std::vector<EntryPtr>>(id, "query", where, [this, claim, wait, patience] {
+    auto entries = value_or_throw(
+      parts_.client.finish_wait<std::vector<EntryPtr>>(claim->take(), wait, patience));
+    parts_.context.counters().reads += entries.size();
+    for (auto& entry : entries)
+      seen_.set(entry->address, entry->version);
+    return entries;
+  });
 }
 
-bool ComponentOperations::exists(const Address& address) {
-  return value_or_throw(parts_.client.finish<bool>(
-    parts_.client.begin(ExistsQuery{address, parts_.context.client()}), address));
+Pending<bool> ComponentOperations::exists(const Address& address) {
+  auto id = parts_.client.begin(ExistsQuery{address, parts_.context.client()});
+  auto claim = std::make_shared<Claim>(parts_.client, id, address);
+  return pending<bool>(id, "exists", address, [this, claim, address] {
+    return value_or_throw(parts_.client.finish<bool>(claim->take(), address));
+  });
 }
 
-Version ComponentOperations::version(const Address& address) {
-  return value_or_throw(parts_.client.finish<Version>(
-    parts_.client.begin(VersionQuery{address, parts_.context.client()}), address));
+Pending<Version> ComponentOperations::version(const Address& address) {
+  auto id = parts_.client.begin(VersionQuery{address, parts_.context.client()});
+  auto claim = std::make_shared<Claim>(parts_.client, id, address);
+  return pending<Version>(id, "version", address, [this, claim, address] {
+    return value_or_throw(parts_.client.finish<Version>(claim->take(), address));
+  });
 }
 
 // -- leases
@@ -245,7 +322,14 @@ FilterId ComponentOperations::subscribe(const ChangeFilter& filter, EventStream 
   if (stream == EventStream::component)
     request.queue_limit = parts_.queue_limit;
   Address where{filter.subarchitecture.value_or(identity.subarchitecture), filter.id};
-  value_or_throw(parts_.client.finish<Acknowledged>(parts_.client.begin(request), where));
+  auto id = parts_.client.begin(request);
+  auto finish = [this, id, where] {
+    value_or_throw(parts_.client.finish<Acknowledged>(id, where));
+  };
+  if (parts_.waits)
+    finish();
+  else
+    open(id, "subscribe to", where, finish);
   return request.id;
 }
 

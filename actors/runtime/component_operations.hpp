@@ -4,12 +4,14 @@
 #include "castor/actors/runtime/change_receivers.hpp"
 #include "castor/actors/runtime/component_context.hpp"
 #include "castor/actors/runtime/inbox.hpp"
+#include "castor/actors/runtime/open_operations.hpp"
 #include "castor/actors/runtime/operations_client.hpp"
 #include "castor/actors/runtime/seen_versions.hpp"
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,18 +31,22 @@ public:
     ChangeReceivers& receivers;
     /// Most change events that may wait for the component.
     std::uint32_t queue_limit;
+    /// Whether the component waits for results. Otherwise its operations are in `open` until these
+    /// were called back.
+    bool waits;
+    OpenOperations& open;
   };
 
   explicit ComponentOperations(const Parts& parts) : parts_(parts) {}
 
   Pending<Version> write(Operation operation, const Address& address, Value value,
                          std::optional<EntryLife> life) override;
-  std::vector<Version> write(const WriteBatch& batch) override;
+  Pending<std::vector<Version>> write(const WriteBatch& batch) override;
   Pending<EntryPtr> read(const Address& address) override;
   EntryPtr read_now(const Address& address) override;
-  std::vector<EntryPtr> query(TypeQuery query) override;
-  bool exists(const Address& address) override;
-  Version version(const Address& address) override;
+  Pending<std::vector<EntryPtr>> query(TypeQuery query) override;
+  Pending<bool> exists(const Address& address) override;
+  Pending<Version> version(const Address& address) override;
 
   void lock(const Address& address, LockLevel level,
             std::optional<std::chrono::nanoseconds> timeout) override;
@@ -69,9 +75,17 @@ public:
 private:
   WriteRequest write_request(Operation operation, const Address& address, Value value,
                              std::optional<EntryLife> life) const;
+  /// The operation of that request, whose outcome `finish` takes. `what` is "read", say.
+  template <class T>
+  Pending<T> pending(std::uint64_t id, const char* what, const Address& address,
+                     std::function<T()> finish);
+  /// The operation that nobody takes the result of.
+  OpenOperations::OpenPtr open(std::uint64_t id, const char* what, const Address& address,
+                               std::function<void()> finish);
+  void note_read(const Entry& entry);
   /// Updates the seen version and the leases after a write.
   void remember_write(Operation operation, const Address& address, Version version);
-  /// Registers the filter under the next id.
+  /// Registers the filter under the next id; returns at once if the component does not wait.
   FilterId subscribe(const ChangeFilter& filter, EventStream stream);
 
   Parts parts_;

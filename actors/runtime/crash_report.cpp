@@ -274,8 +274,15 @@ void CrashNote::describe(const std::string& component, const std::string& class_
   is_isolated_ = isolated;
 }
 
-CrashWatch::CrashWatch(const CrashNote& note) {
-  this_thread.component = &note;
+CrashWatch::CrashWatch(const CrashNote& note) : CrashWatch() {
+  attribute(&note);
+}
+
+void CrashWatch::attribute(const CrashNote* note) {
+  this_thread.component = note;
+}
+
+CrashWatch::CrashWatch() {
   if (!installed)
     return;
   stack_ = std::make_unique<char[]>(handler_stack_size());

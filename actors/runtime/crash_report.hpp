@@ -59,9 +59,15 @@ private:
 class CrashWatch {
 public:
   explicit CrashWatch(const CrashNote& note);
+  /// For a thread that runs components in turn; `attribute` says which one.
+  CrashWatch();
   CrashWatch(const CrashWatch&) = delete;
   CrashWatch& operator=(const CrashWatch&) = delete;
   ~CrashWatch();
+
+  /// Attributes crashes of the calling thread to the component from now on; null for none. The note
+  /// has to outlive that.
+  static void attribute(const CrashNote* note);
 
 private:
   std::unique_ptr<char[]> stack_;

@@ -74,8 +74,10 @@ std::vector<Overrun> BudgetWatch::check(ComponentRecord::Clock::time_point now) 
   for (auto& x : watched_) {
     bool over = !is_responsive(*x.component, now);
     if (over && !x.reported)
-      result.push_back({x.component.get(), std::chrono::duration_cast<std::chrono::milliseconds>(
-                                             x.component->in_user_code_for(now))});
+      result.push_back(
+        {x.component.get(),
+         std::chrono::duration_cast<std::chrono::milliseconds>(x.component->in_user_code_for(now)),
+         x.component->activity()});
     x.reported = over;
   }
   return result;
@@ -146,9 +148,9 @@ private:
   void report(const Overrun& x) {
     log_runtime(
       LogLevel::warning, x.component->identity().full_name(),
-      fmt::format("has computed for {:.1f} s without a pause, its --budget is {:.1f} s; it "
+      fmt::format("has computed for {:.1f} s without a pause in {}, its --budget is {:.1f} s; it "
                   "receives neither events nor a stop request meanwhile, and its leases expire",
-                  std::chrono::duration<double>(x.duration).count(),
+                  std::chrono::duration<double>(x.duration).count(), x.activity,
                   std::chrono::duration<double>(x.component->budget()).count()));
     if (parts_.on_overrun)
       parts_.on_overrun(x);

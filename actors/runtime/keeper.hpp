@@ -14,10 +14,12 @@
 
 namespace castor {
 
-/// A component whose own code has run past its budget, and for how long.
+/// A component whose own code has run past its budget, for how long, and what it does.
 struct Overrun {
   const ComponentRecord* component;
   std::chrono::milliseconds duration;
+  /// Such as "start()".
+  std::string activity;
 };
 
 /// Finds components whose own code runs past its budget; each is reported once per overrun.

@@ -22,9 +22,9 @@ constexpr auto last_order = std::numeric_limits<std::uint64_t>::max();
 } // namespace
 
 PumpedActor::PumpedActor(caf::actor_config& config, std::shared_ptr<SimulatedClock> clock,
-                         std::uint64_t order)
-  : blocking_actor(config), clock_(std::move(clock)), order_(order) {
-  if (clock_)
+                         std::uint64_t order, ActorThread thread)
+  : blocking_actor(config), clock_(std::move(clock)), order_(order), thread_(thread) {
+  if (holds_token())
     turn_ = clock_->activity().begin();
 }
 
@@ -65,8 +65,12 @@ bool PumpedActor::pump_until_quiet(Clock::time_point until) {
 
 SimulatedClock::Key PumpedActor::wake_at(Timestamp time, std::uint64_t order) {
   return clock_->wake_at(time, order, [self = caf::strong_actor_ptr{ctrl()}] {
-    self->enqueue(nullptr, caf::make_message_id(), caf::make_message(WokenAtom::value), nullptr);
+    self->enqueue(nullptr, caf::make_message_id(), wake_up_call(), nullptr);
   });
+}
+
+caf::message PumpedActor::wake_up_call() {
+  return caf::make_message(WokenAtom::value);
 }
 
 bool PumpedActor::comes_early(Clock::time_point until, Expected expected) {
@@ -158,7 +162,7 @@ bool PumpedActor::park(Clock::time_point until) {
 }
 
 void PumpedActor::enqueue(caf::mailbox_element_ptr x, caf::execution_unit* context) {
-  if (!clock_)
+  if (!holds_token())
     return deposit(std::move(x), context);
   {
     std::lock_guard guard{parking_mutex_};
@@ -181,19 +185,19 @@ void PumpedActor::deposit(caf::mailbox_element_ptr x, caf::execution_unit* conte
     case caf::intrusive::inbox_result::success:
       break;
     case caf::intrusive::inbox_result::unblocked_reader:
-      Doorbell::ring(arrival_);
+      arrived();
       break;
     case caf::intrusive::inbox_result::queue_closed:
       // CAF answers requests to an actor that has ended.
       if (asker)
-        blocking_actor::enqueue(
-          caf::make_mailbox_element(std::move(asker), id, {}, caf::message{}), context);
+        blocking_actor::enqueue(caf::make_mailbox_element(std::move(asker), id, {}, caf::message{}),
+                                context);
       break;
   }
 }
 
 bool PumpedActor::cleanup(caf::error&& reason, caf::execution_unit* host) {
-  if (!clock_)
+  if (!holds_token())
     return blocking_actor::cleanup(std::move(reason), host);
   Activity::Turn turn = 0;
   {
@@ -214,16 +218,31 @@ void PumpedActor::file_arrived() {
   constexpr int at_most = 256;
   for (int i = 0; i < at_most && !mailbox().empty(); ++i) {
     auto x = dequeue();
-    if (clock_ && x->content().match_elements<WokenAtom>()) {
+    if ((clock_ || shares_threads()) && x->content().match_elements<WokenAtom>()) {
       was_woken_ = true;
     } else if (!x->mid.is_response()) {
       file(std::move(x));
     } else if (auto i_slot = slots_.find(x->mid.integer_value()); i_slot != slots_.end()) {
       i_slot->second = std::move(x);
+      if (!slot_observers_.empty())
+        if (auto observer = slot_observers_.extract(i_slot->first))
+          observer.mapped()();
     } else if (auto receiver = receivers_.extract(x->mid.integer_value())) {
       receiver.mapped()(*x);
     }
   }
+}
+
+void PumpedActor::close_slot(std::uint64_t id) {
+  slots_.erase(id);
+  slot_observers_.erase(id);
+}
+
+void PumpedActor::on_filled(std::uint64_t id, std::function<void()> f) {
+  if (slot(id))
+    f();
+  else
+    slot_observers_[id] = std::move(f);
 }
 
 void PumpedActor::respond(const caf::strong_actor_ptr& to, caf::message_id request,

@@ -53,6 +53,7 @@ OperationsClient::wait_until(const std::function<bool()>& done, Clock::time_poin
   // Long enough for most waits to end of themselves, short enough for a deadlock to be found within
   // a second.
   constexpr std::chrono::milliseconds between_probes{200};
+  check_may_wait("something of others");
   auto& identity = parts_.context.identity();
   UserCode::Pause pause{parts_.code};
   AtExit no_wait_any_more{[this] {
@@ -107,6 +108,7 @@ Outcome<caf::mailbox_element_ptr> OperationsClient::wait_for(std::uint64_t id,
                                                              std::chrono::nanoseconds patience,
                                                              const WaitEdge* wait) {
   auto& actor = parts_.actor;
+  check_settled(id, address);
   bool answered = false;
   AtExit leave{[&] {
     actor.close_slot(id);
@@ -120,8 +122,11 @@ Outcome<caf::mailbox_element_ptr> OperationsClient::wait_for(std::uint64_t id,
   std::function<std::optional<WaitEdge>()> edge;
   if (wait)
     edge = [wait] { return std::optional{*wait}; };
-  auto failure =
-    wait_until([&] { return actor.slot(id) != nullptr; }, Clock::now() + patience, edge);
+  std::optional<Failure> failure;
+  if (actor.shares_threads())
+    failure = Failure{FailureKind::no_answer, {}, {}};
+  else
+    failure = wait_until([&] { return actor.slot(id) != nullptr; }, Clock::now() + patience, edge);
   answered = actor.slot(id) != nullptr;
   if (answered)
     return std::move(actor.slot(id));
@@ -149,6 +154,13 @@ EntryPtr OperationsClient::read_here(const Address& address) {
   if (entry)
     recorder_->read_here(entry, since);
   return entry;
+}
+
+void OperationsClient::check_may_wait(const std::string& what) const {
+  if (parts_.actor.shares_threads())
+    throw std::logic_error(parts_.context.identity().full_name() + " must not wait for " + what +
+                           ": as a CallbackComponent, it would keep the thread that it shares from "
+                           "others. Use then(), or derive from UnmanagedComponent");
 }
 
 void OperationsClient::show_progress() {

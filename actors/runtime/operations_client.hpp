@@ -62,6 +62,20 @@ public:
     return id;
   }
 
+  /// Calls `f` once the outcome is there, while messages are filed.
+  void on_answer(std::uint64_t id, std::function<void()> f) {
+    parts_.actor.on_filled(id, std::move(f));
+  }
+
+  /// Of a component that shares its threads: the outcome of this operation may be finished, as it
+  /// is there, or as it has not come in time.
+  void settle(std::uint64_t id) { settled_ = id; }
+  /// Throws std::logic_error if the component shares its threads and would wait for the outcome.
+  void check_settled(std::uint64_t id, const Address& address) const {
+    if (id != settled_)
+      check_may_wait("the outcome of an operation on " + to_string(address));
+  }
+
   void abandon(std::uint64_t id, const Address& address) {
     parts_.actor.close_slot(id);
     unanswered_.abandoned(id, address.subarchitecture);
@@ -146,6 +160,8 @@ private:
   Outcome<caf::mailbox_element_ptr> wait_for(std::uint64_t id, const Address& address,
                                              std::chrono::nanoseconds patience,
                                              const WaitEdge* wait);
+  /// Throws std::logic_error if the component shares its threads.
+  void check_may_wait(const std::string& what) const;
   Failure unexpected_reply(const caf::type_erased_tuple& content, const Address& address);
 
   /// Lets the runtime and those who watch the component see that it still does something.
@@ -159,6 +175,8 @@ private:
   /// Set if operations are logged.
   std::optional<OperationRecorder> recorder_;
   WaitNumber last_wait_ = 0;
+  /// See settle; 0 for none.
+  std::uint64_t settled_ = 0;
   /// What the component waits for now, if that could be a cycle.
   std::optional<WaitEdge> waiting_;
   /// The wait cycle that was found; empty for none.

@@ -126,6 +126,18 @@ public:
 
   void leave_user_code() { user_code_since_.store(0, std::memory_order_relaxed); }
 
+  /// Sets what the component's own code does, such as "configure()"; returns what it did before.
+  std::string exchange_activity(std::string x) {
+    std::lock_guard guard{activity_mutex_};
+    return std::exchange(activity_, std::move(x));
+  }
+  /// The same text, for the component's own thread, which changes it.
+  const std::string& own_activity() const { return activity_; }
+  std::string activity() const {
+    std::lock_guard guard{activity_mutex_};
+    return activity_;
+  }
+
   /// The calling thread is the component's own until `thread_ends`.
   void thread_begins() {
     std::lock_guard guard{mutex_};
@@ -141,7 +153,13 @@ public:
     cpu_ = total;
   }
 
-  /// CPU time of the component's thread.
+  /// A component without a thread of its own has taken that much on one that it shares.
+  void add_cpu(std::chrono::nanoseconds x) {
+    std::lock_guard guard{mutex_};
+    cpu_ += x;
+  }
+
+  /// CPU time of the component's thread, or of its turns on shared ones.
   std::chrono::nanoseconds cpu() const {
     std::lock_guard guard{mutex_};
     timespec time{};
@@ -173,6 +191,8 @@ private:
   std::atomic<std::chrono::milliseconds> budget_{std::chrono::milliseconds::max()};
   std::atomic<std::int64_t> busy_since_{0};
   std::atomic<std::int64_t> user_code_since_{0};
+  mutable std::mutex activity_mutex_;
+  std::string activity_;
   mutable std::mutex mutex_;
   std::string failure_;
   std::string waited_for_;

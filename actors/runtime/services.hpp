@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/task_event.hpp"
 #include "castor/actors/runtime/caller_runs.hpp"
+#include "castor/actors/runtime/component_pool.hpp"
 #include "castor/actors/runtime/operation_log.hpp"
 #include "castor/actors/runtime/push_recorder.hpp"
 #include "castor/actors/runtime/readable_memories.hpp"
@@ -43,6 +44,9 @@ struct ComponentServices {
   /// A working memory refers to the unit that ran it last even after that component is gone, so
   /// these stay until the end.
   std::vector<std::unique_ptr<CallerRuns>> units;
+
+  /// Runs the components that have no threads of their own.
+  std::shared_ptr<ComponentPool> pool;
 
   /// Every event is sent to every component, which filters for itself, as in the first version of
   /// the original.

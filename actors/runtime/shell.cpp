@@ -52,8 +52,8 @@ ComponentShell::EventQueueOptions ComponentShell::event_queue_of(const Component
   return {};
 }
 
-ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
-  : PumpedActor(config, parts.services->clock, parts.record->identity().number),
+ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts, ActorThread thread)
+  : PumpedActor(config, parts.services->clock, parts.record->identity().number, thread),
     component_(std::move(parts.component)), record_(std::move(parts.record)),
     services_(std::move(parts.services)), unit_(parts.unit),
     event_queue_(event_queue_of(*component_)),
@@ -61,7 +61,8 @@ ComponentShell::ComponentShell(caf::actor_config& config, ShellParts parts)
     code_(*record_, faults_),
     inbox_(receivers_, record_->counters, event_queue_.mode, event_queue_.limit),
     client_({*this, context_, life_, faults_, code_, *unit_}),
-    operations_({context_, client_, inbox_, receivers_, event_queue_.limit}),
+    operations_(
+      {context_, client_, inbox_, receivers_, event_queue_.limit, !shares_threads(), open_}),
     providers_({*this, context_, client_}), connections_({*this, context_, providers_, code_}),
     commands_({*this, context_, providers_, code_}),
     tasks_(*component_, {*this, context_, faults_, code_}) {
@@ -91,10 +92,14 @@ void ComponentShell::act() {
   CrashWatch watch{code_.crash_note()};
   RunningComponent running{*record_};
   AtExit thread_ends{[this] { record_->thread_ends(); }};
-  live_or_fail();
-  run_last_code([this] { commands_.take_safe_states(); });
-  if (life_.has_started() && record_->state() != ComponentState::failed)
-    run_stop_hook();
+  live([this] { live_on_thread(); });
+  run_stop_hook();
+  end_component(running);
+  if (record_->state() == ComponentState::failed)
+    fail_state(caf::make_error(caf::sec::runtime_error, record_->failure()));
+}
+
+void ComponentShell::end_component(RunningComponent& running) {
   record_->set_idle();
   // Leases that are members of the component are given back without waiting for the answers.
   life_.stop();
@@ -106,13 +111,12 @@ void ComponentShell::act() {
   forget_actors();
   if (record_->state() != ComponentState::failed)
     record_->set_state(ComponentState::stopped);
-  else
-    fail_state(caf::make_error(caf::sec::runtime_error, record_->failure()));
 }
 
-void ComponentShell::live_or_fail() {
+bool ComponentShell::live(const std::function<void()>& f) {
   try {
-    live();
+    f();
+    return true;
   } catch (const ComponentStopped&) {
     // The normal way to end.
   } catch (const InjectedCrash&) {
@@ -137,10 +141,25 @@ void ComponentShell::live_or_fail() {
   } catch (...) {
     fail(unknown_exception);
   }
+  return false;
 }
 
-void ComponentShell::live() {
+void ComponentShell::live_on_thread() {
   await_phase(Phase::configure);
+  configure_component();
+  await_phase(Phase::start);
+  start_component();
+  record_->set_state(ComponentState::started);
+  phase_done(Phase::start, {});
+  await_phase(Phase::run);
+  run_component();
+  while (deliver_until(never, nullptr)) {
+    // Only callbacks from now on.
+  }
+}
+
+void ComponentShell::configure_component() {
+  code_.set_activity(phase_name(Phase::configure));
   if (event_queue_.limit < least_queue_limit)
     throw std::invalid_argument(fmt::format("--queue-limit is {}, but the least is {}",
                                             event_queue_.limit, least_queue_limit));
@@ -153,7 +172,10 @@ void ComponentShell::live() {
   life_.leave_configure();
   record_->set_state(ComponentState::configured);
   phase_done(Phase::configure, {});
-  await_phase(Phase::start);
+}
+
+void ComponentShell::start_component() {
+  code_.set_activity(phase_name(Phase::start));
   // Task managers have no filters.
   if (services_->broadcast && dynamic_cast<SubarchitectureComponent*>(component_.get()))
     operations_.receive_broadcasts();
@@ -161,16 +183,14 @@ void ComponentShell::live() {
     faults_.in_phase(Phase::start);
     component_->start();
   });
-  record_->set_state(ComponentState::started);
-  phase_done(Phase::start, {});
-  await_phase(Phase::run);
+}
+
+void ComponentShell::run_component() {
+  code_.set_activity(phase_name(Phase::run));
   code_.run(phase_name(Phase::run), [this] {
     record_->set_state(ComponentState::running);
     component_->run();
   });
-  while (deliver_until(never, nullptr)) {
-    // Only callbacks from now on.
-  }
 }
 
 void ComponentShell::run_last_code(const std::function<void()>& f) {
@@ -178,6 +198,8 @@ void ComponentShell::run_last_code(const std::function<void()>& f) {
     f();
   } catch (const ComponentStopped&) {
     // It asked once more and was told once more.
+  } catch (const InjectedCrash&) {
+    fail("injected crash");
   } catch (const std::exception& e) {
     fail(plain_words(e));
   } catch (...) {
@@ -186,6 +208,9 @@ void ComponentShell::run_last_code(const std::function<void()>& f) {
 }
 
 void ComponentShell::run_stop_hook() {
+  run_last_code([this] { commands_.take_safe_states(); });
+  if (!life_.has_started() || record_->state() == ComponentState::failed)
+    return;
   life_.enter_stop_hook();
   run_last_code([this] { code_.run("stop()", [this] { component_->stop(); }); });
 }
@@ -205,7 +230,6 @@ void ComponentShell::await_phase(Phase phase) {
     else
       wait_for_work(never);
   }
-  code_.set_activity(phase_name(phase));
 }
 
 void ComponentShell::phase_done(Phase phase, std::string failure) {
@@ -225,85 +249,13 @@ void ComponentShell::fail(const std::string& what) {
 
 void ComponentShell::forget_actors() {
   inbox_.clear();
+  open_.clear();
   tasks_.clear();
   connections_.clear();
   commands_.clear();
   timers_ = {};
   phase_controller_ = nullptr;
   context_.forget_neighbours();
-}
-
-// -- what arrives
-
-void ComponentShell::file(caf::mailbox_element_ptr x) {
-  auto& content = x->content();
-  if (content.match_elements<ChangeNotice>()) {
-    file_change(std::move(content.get_mutable_as<ChangeNotice>(0)));
-  } else if (content.match_elements<ChangeNotices>()) {
-    for (auto& notice : content.get_mutable_as<ChangeNotices>(0).notices)
-      file_change(std::move(notice));
-  } else if (content.match_elements<LeaseOffer>()) {
-    client_.claim(content.get_as<LeaseOffer>(0));
-  } else if (content.match_elements<DeadlockProbe>()) {
-    client_.receive_probe(content.get_as<DeadlockProbe>(0));
-  } else if (content.match_elements<NeighboursPtr>()) {
-    set_neighbours(content.get_as<NeighboursPtr>(0));
-  } else if (content.match_elements<EnterPhase>()) {
-    auto& command = content.get_as<EnterPhase>(0);
-    phase_controller_ = command.phase_controller;
-    life_.command(command.phase);
-  } else if (content.match_elements<ComponentFault>()) {
-    faults_.take(content.get_as<ComponentFault>(0), Clock::now());
-  } else if (content.match_elements<LookAgain>()) {
-    inbox_.put(Inbox::Task{"a wake-up call", [] {}});
-  } else if (content.match_elements<caf::exit_msg>()) {
-    life_.stop();
-  } else if (content.match_elements<caf::down_msg>()) {
-    file_down(std::move(x));
-  } else if (content.match_elements<PushRequest>()) {
-    connections_.handle_push_request(*x, content.get_as<PushRequest>(0));
-  } else if (content.match_elements<PushesTaken>()) {
-    connections_.taken(x->sender, content.get_as<PushesTaken>(0));
-  } else if (content.match_elements<CommandDone>()) {
-    commands_.done(content.get_as<CommandDone>(0));
-  } else {
-    inbox_.put(std::move(x));
-  }
-}
-
-void ComponentShell::file_down(caf::mailbox_element_ptr x) {
-  auto& who = x->content().get_as<caf::down_msg>(0).source;
-  if (context_.working_memory() && who == context_.working_memory().address())
-    life_.set_working_memory_lost(true);
-  else if (tasks_.is_manager())
-    inbox_.put(std::move(x)); // in its turn: after the last words of who has ended
-  else {
-    connections_.forget(who);
-    commands_.forget(who);
-  }
-}
-
-void ComponentShell::file_change(ChangeNotice notice) {
-  acknowledge(inbox_.put(std::move(notice)));
-}
-
-void ComponentShell::acknowledge(const std::optional<EventsTaken>& x) {
-  if (x)
-    client_.send(*x);
-}
-
-void ComponentShell::set_neighbours(NeighboursPtr neighbours) {
-  context_.set_neighbours(std::move(neighbours));
-  if (identity().subarchitecture.empty() || context_.working_memory())
-    return;
-  auto& known = context_.neighbours().working_memories;
-  auto home = known.find(identity().subarchitecture);
-  // Its node is lost, and it will be started again once that is back.
-  life_.set_working_memory_lost(home == known.end());
-  if (home == known.end())
-    return;
-  context_.set_working_memory(home->second);
-  monitor(home->second);
 }
 
 // -- work
@@ -329,11 +281,7 @@ bool ComponentShell::deliver_until(Clock::time_point until, const std::function<
     if (life_.is_stopping())
       return false;
     faults_.at_runtime();
-    if (life_.is_working_memory_lost())
-      throw WorkingMemoryLostException{
-        {FailureKind::working_memory_lost,
-         "the working memory of " + identity().subarchitecture + " has ended",
-         {identity().subarchitecture, {}}}};
+    check_working_memory();
     commands_.work();
     run_timers();
     if (inbox_.is_empty()) {
@@ -346,6 +294,14 @@ bool ComponentShell::deliver_until(Clock::time_point until, const std::function<
     if ((enough && enough()) || context_.time_point() >= until)
       return true;
   }
+}
+
+void ComponentShell::check_working_memory() const {
+  if (life_.is_working_memory_lost())
+    throw WorkingMemoryLostException{
+      {FailureKind::working_memory_lost,
+       "the working memory of " + identity().subarchitecture + " has ended",
+       {identity().subarchitecture, {}}}};
 }
 
 bool ComponentShell::wait_for_work(Clock::time_point until) {

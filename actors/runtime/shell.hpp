@@ -12,6 +12,7 @@
 #include "castor/actors/runtime/injected_faults.hpp"
 #include "castor/actors/runtime/life_cycle.hpp"
 #include "castor/actors/runtime/mailbox.hpp"
+#include "castor/actors/runtime/open_operations.hpp"
 #include "castor/actors/runtime/operations_client.hpp"
 #include "castor/actors/runtime/provider_client.hpp"
 #include "castor/actors/runtime/services.hpp"
@@ -19,6 +20,7 @@
 #include "castor/actors/runtime/timers.hpp"
 #include "castor/actors/runtime/user_code.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -29,6 +31,8 @@
 #include <utility>
 
 namespace castor {
+
+class RunningComponent;
 
 /// Parameters of a component's shell.
 struct ShellParts {
@@ -43,18 +47,21 @@ struct ShellParts {
 
 /// The actor around a component: runs its life cycle, and passes messages to the parts that handle
 /// them. Before the component enters its first phase it must be sent its neighbours.
-class ComponentShell final : public PumpedActor, public ComponentRuntime {
+class ComponentShell : public PumpedActor, public ComponentRuntime {
 public:
   using Clock = PumpedActor::Clock;
 
-  ComponentShell(caf::actor_config& config, ShellParts parts);
+  ComponentShell(caf::actor_config& config, ShellParts parts)
+    : ComponentShell(config, std::move(parts), ActorThread::own) {}
 
   const char* name() const override { return "component"; }
 
   // -- for the component
 
   const ComponentIdentity& identity() const override { return record_->identity(); }
-  bool is_own_thread() const override { return std::this_thread::get_id() == thread_; }
+  bool is_own_thread() const override {
+    return std::this_thread::get_id() == thread_.load(std::memory_order_relaxed);
+  }
   Timestamp now() const override { return context_.now(); }
   bool is_running() override { return client_.is_running(); }
   TimeHold hold_time() const override {
@@ -79,6 +86,42 @@ public:
   std::unique_ptr<Calls> make_calls(SubarchitectureComponent& component) override;
   std::unique_ptr<Actions> make_actions(SubarchitectureComponent& component) override;
 
+protected:
+  ComponentShell(caf::actor_config& config, ShellParts parts, ActorThread thread);
+
+  // -- life
+
+  /// Calls `f`, which is a part of the component's life. An exception ends that: it is the
+  /// component's failure, unless it is the normal end. False if there was one.
+  bool live(const std::function<void()>& f);
+  /// Code of a component that has ended; an exception is its failure.
+  void run_last_code(const std::function<void()>& f);
+  /// Takes the safe states, and calls stop() if that is due.
+  void run_stop_hook();
+  /// The component's end, after the stop hook.
+  void end_component(RunningComponent& running);
+
+  void configure_component();
+  void start_component();
+  void run_component();
+  /// Delivers work, if the component has started, until the next phase is due.
+  void await_phase(Phase phase);
+  void phase_done(Phase phase, std::string failure);
+  void fail(const std::string& what);
+
+  // -- work
+
+  /// Throws what ends the component if its working memory has ended.
+  void check_working_memory() const;
+  void run_timers();
+  void handle_next();
+
+  std::unique_ptr<Component> component_;
+  std::shared_ptr<ComponentRecord> record_;
+  std::shared_ptr<ComponentServices> services_;
+  CallerRuns* unit_;
+  std::atomic<std::thread::id> thread_{};
+
 private:
   struct EventQueueOptions {
     EventQueue mode = EventQueue::all;
@@ -87,19 +130,7 @@ private:
   static EventQueueOptions event_queue_of(const Component& component);
 
   void act() override;
-
-  // -- life
-
-  void live();
-  /// Calls live(); an exception is the component's failure, unless it is the normal end.
-  void live_or_fail();
-  /// Code of a component that has ended; an exception is its failure.
-  void run_last_code(const std::function<void()>& f);
-  void run_stop_hook();
-  /// Delivers work, if the component has started, until the next phase is due.
-  void await_phase(Phase phase);
-  void phase_done(Phase phase, std::string failure);
-  void fail(const std::string& what);
+  void live_on_thread();
   /// Drops all handles of other actors: two actors that hold each other would live for ever.
   void forget_actors();
 
@@ -118,20 +149,14 @@ private:
   /// Files what arrives, or returns at `until`, of the system's time, or earlier if commands or
   /// timers are due; false once `until` has passed without any.
   bool wait_for_work(Clock::time_point until);
-  void run_timers();
-  void handle_next();
   void handle(Inbox::Work& x);
   void handle_change(const ChangeNotice& notice);
 
-  std::unique_ptr<Component> component_;
-  std::shared_ptr<ComponentRecord> record_;
-  std::shared_ptr<ComponentServices> services_;
-  CallerRuns* unit_;
-  std::thread::id thread_;
   /// Actor that the end of a phase is reported to, or null.
   caf::actor phase_controller_;
-
   const EventQueueOptions event_queue_;
+
+protected:
   ComponentContext context_;
   LifeCycle life_;
   InjectedFaults faults_;
@@ -139,6 +164,8 @@ private:
   ChangeReceivers receivers_;
   Inbox inbox_;
   OperationsClient client_;
+  /// Only of a component without a thread.
+  OpenOperations open_;
   ComponentOperations operations_;
   ProviderClient providers_;
   ComponentConnections connections_;

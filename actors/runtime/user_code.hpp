@@ -19,7 +19,7 @@ public:
   /// `what` names the call in reports of its failure.
   template <class F>
   void run(const std::string& what, F&& f) {
-    // After an exception `activity_` stays at the innermost call, for the report.
+    // After an exception the activity stays that of the innermost call, for the report.
     auto outer = set_activity(what);
     record_.enter_user_code(Clock::now());
     f();
@@ -42,7 +42,7 @@ public:
   std::uint64_t callbacks() const { return callbacks_; }
 
   /// Last activity of the code, such as "configure()".
-  const std::string& activity() const { return activity_; }
+  std::string activity() const { return record_.activity(); }
   /// Returns the previous activity.
   std::string set_activity(std::string what);
 
@@ -67,7 +67,6 @@ public:
 private:
   ComponentRecord& record_;
   InjectedFaults& faults_;
-  std::string activity_;
   CrashNote crash_note_;
   std::uint64_t callbacks_ = 0;
 };

@@ -69,6 +69,13 @@ class Counter final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(Counter, "counts overwrites")
 
+class PooledCounter final : public CallbackComponent {
+  void start() override {
+    on_change(overwritten<Payload>(), [](const ChangeEvent&) { ++callbacks; });
+  }
+};
+CASTOR_COMPONENT(PooledCounter, "counts overwrites, without a thread")
+
 /// Overwrites without a pause, but so that no more than some hundred events wait for a listener.
 class Announcer final : public UnmanagedComponent {
   void run() override {
@@ -107,7 +114,7 @@ void measure_fan_out(const Arguments& x) {
   task = &x;
   auto text = subarchitecture_text("a") + "CPP UM announcer Announcer --budget 1h\n";
   for (std::size_t i = 0; i < x.count("listeners"); ++i)
-    text += fmt::format("CPP UM counter{} Counter\n", i);
+    text += fmt::format("CPP UM counter{} {}\n", i, x.text("class"));
   run_system(text);
 }
 

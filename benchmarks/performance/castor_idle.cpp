@@ -26,6 +26,13 @@ class Idler final : public UnmanagedComponent {
 };
 CASTOR_COMPONENT(Idler, "waits for changes that never come")
 
+class PooledIdler final : public CallbackComponent {
+  void start() override {
+    on_change(changed<Payload>(), [](const ChangeEvent&) {});
+  }
+};
+CASTOR_COMPONENT(PooledIdler, "waits for changes that never come, without a thread")
+
 /// Time after which nothing is left of the start.
 constexpr auto settling = 5s;
 
@@ -77,7 +84,7 @@ void measure_idle_components(const Arguments& x) {
   auto count = x.count("components");
   auto text = subarchitecture_text("a");
   for (std::size_t i = 0; i < count; ++i)
-    text += fmt::format("CPP UM idler{} Idler\n", i);
+    text += fmt::format("CPP UM idler{} {}\n", i, x.text("class"));
   auto memory_before = memory_bytes(getpid());
   auto begin = Clock::now();
   run_system(text, {}, [&](System&) {

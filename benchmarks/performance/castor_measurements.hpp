@@ -17,7 +17,7 @@ void measure_operations(const Arguments& x);
 void measure_contended_lock(const Arguments& x);
 /// From an overwrite to the callback of another component: figures `p50` and `p99`.
 void measure_events(const Arguments& x);
-/// `listeners` to each of many overwrites: figures `overwrites` and `callbacks`.
+/// `listeners` of a `class`, Counter or PooledCounter, to each of many overwrites: figures `overwrites` and `callbacks`.
 void measure_fan_out(const Arguments& x);
 /// `entries` of 100 B: figures `add`, `read`, `delete`, `bytes` (of each entry) and `left` (after
 /// deletion, of each entry).
@@ -50,8 +50,8 @@ void measure_idle_mesh(const Arguments& x);
 /// (microseconds until all nodes have heard of an overwrite); `silent` and `killed` (seconds until
 /// a node that is stopped, or killed, is out of reach).
 void measure_mesh(const Arguments& x);
-/// One process with so many `components`: figures `cpu` (percent of a core), `memory` (bytes for
-/// each component) and `start` (seconds).
+/// One process with so many `components` of a `class`, Idler or PooledIdler: figures `cpu` (percent
+/// of a core), `memory` (bytes for each component) and `start` (seconds).
 void measure_idle_components(const Arguments& x);
 
 } // namespace castor::benchmark

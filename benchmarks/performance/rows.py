@@ -81,6 +81,8 @@ def _line(name, points):
 
 COMPONENTS = (1, 2, 4, 8, 16)
 LISTENERS = (1, 4, 16, 64)
+# Those that are CallbackComponents.
+POOLED = ", without threads"
 NODES = (2, 5, 10, 20)
 IDLE_COMPONENTS = (1000, 3000)
 IDLE_SECONDS = 4
@@ -132,9 +134,11 @@ def _local_rows():
         "fan-out", "Many listeners",
         "One component overwrites without a pause; every overwrite is told to all listeners, components of the same "
         "process.", "per second",
-        tuple(_line(figure, [Point(_counted(n, "listener"), _castor("fan_out", listeners=n, bytes=100), figure)
-                             for n in LISTENERS]) for figure in ("callbacks", "overwrites")),
-        aims=(Aim("at least", ("callbacks", "64 listeners"), 1e6),))
+        tuple(_line(figure + of, [Point(_counted(n, "listener"), _castor(
+            "fan_out", listeners=n, bytes=100, **{"class": name}), figure) for n in LISTENERS])
+              for of, name in (("", "Counter"), (POOLED, "PooledCounter")) for figure in ("callbacks", "overwrites")),
+        aims=(Aim("at least", ("callbacks", "64 listeners"), 1e6), Aim("at least", ("callbacks" + POOLED, "64 listeners"), 1e6),
+              Aim("at least that of", ("callbacks" + POOLED, "64 listeners"), other=("callbacks", "64 listeners"))))
 
 
 def _link_writes(size, in_flight, label, factor=1.0):
@@ -200,13 +204,17 @@ def _idle_rows():
         "Of each node: its own memory, and its share of what it has in common with others (PSS), the coordinator's "
         "included.", "MB/node", (_line(CASTOR, [Point(label, x, "memory", 1 / MB) for label, x in mesh]),),
         higher_is_better=False, slow=True)
-    idle = [(_counted(n, "component"), _castor("idle_components", IDLE_SECONDS, components=n)) for n in IDLE_COMPONENTS]
+    idle = {title: [(_counted(n, "component"), _castor("idle_components", IDLE_SECONDS, components=n, **{"class": name}))
+                    for n in counts]
+            for title, name, counts in ((CASTOR, "Idler", IDLE_COMPONENTS),
+                                        (CASTOR + POOLED, "PooledIdler", IDLE_COMPONENTS + (10_000,)))}
     for figure, title, unit, factor in (("cpu", "processor", "% of a core", 1), ("start", "time to start", "s", 1),
                                         ("memory", "memory", "KB/component", 1 / KB)):
         yield Row(
             "idle-components-" + figure, "Components for which there is nothing to do: " + title,
-            "Components of one process, each with a thread of its own and a filter.", unit,
-            (_line(CASTOR, [Point(label, x, figure, factor) for label, x in idle]),), higher_is_better=False, slow=True)
+            "Components of one process, each with a filter, and with a thread of its own or, as CallbackComponents, none.",
+            unit, tuple(_line(title, [Point(label, x, figure, factor) for label, x in points])
+                        for title, points in idle.items()), higher_is_better=False, slow=True)
 
 
 def _entry_rows():

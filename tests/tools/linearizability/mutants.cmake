@@ -192,7 +192,7 @@ castor_node_mutant(late_connections_are_taken actors/link/link_end.cpp
   TO "false")
 
 castor_node_mutant(reads_are_answered_from_a_cache actors/runtime/component_operations.cpp
-  FROM "seen_.set(address, (*outcome)->version);
+  FROM "note_read(**outcome);
     return *outcome;"
   TO "static thread_local std::map<Address, EntryPtr> cache;
     auto& known = cache[address];
