@@ -1,5 +1,7 @@
 #include "castor/actors/link/link_end.hpp"
 
+#include "castor/base/at_exit.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -393,10 +395,17 @@ LinkEnd::Milliseconds LinkEnd::resting_heartbeat() const {
   return parts_.peer == 0 ? parts_.options.silence / 2 : parts_.options.resting_heartbeat;
 }
 
-/// How often a link that rests looks whether the peer keeps its promise, and whether it is time for
-/// a heartbeat of its own.
-LinkEnd::Milliseconds LinkEnd::resting_period() const {
-  return parts_.mesh->self() == 0 ? parts_.options.silence / 3 : resting_heartbeat();
+/// Until a heartbeat is due, or the peer's should have come.
+LinkEnd::Milliseconds LinkEnd::rest(Clock::time_point now) const {
+  const auto until = std::min(next_announcement_, last_input_ + patience_at_rest());
+  return std::chrono::ceil<Milliseconds>(std::max(until - now, Clock::duration{0})) +
+         parts_.options.heartbeat;
+}
+
+LinkEnd::Milliseconds LinkEnd::patience_at_rest() const {
+  auto& options = parts_.options;
+  auto promise = std::min<Milliseconds>(session_.peer_promise(), longest_promise);
+  return std::max(options.silence, promise + options.silence / 2);
 }
 
 void LinkEnd::schedule_tick(Clock::time_point now, Milliseconds after) {
@@ -415,8 +424,7 @@ bool LinkEnd::misses_peer(Clock::time_point now) const {
   // A peer that rests is woken by what is sent to it, and answers from then on.
   if (is_awake(now))
     return now - std::max(last_input_, awake_since_) > options.silence;
-  auto promise = std::min<Milliseconds>(session_.peer_promise(), longest_promise);
-  return now - last_input_ > std::max(options.silence, promise + options.silence / 2);
+  return now - last_input_ > patience_at_rest();
 }
 
 void LinkEnd::tick() {
@@ -426,7 +434,10 @@ void LinkEnd::tick() {
     return;
   auto& options = parts_.options;
   auto awake = is_awake(now);
-  schedule_tick(now, awake ? options.heartbeat : resting_period());
+  const AtExit next{[&] {
+    if (!has_ended_)
+      schedule_tick(now, is_awake(now) ? options.heartbeat : rest(now));
+  }};
   if (connection_ && discarding_input_ && !is_silent())
     disconnected("sent data was not acknowledged");
   if (connection_) {
@@ -436,7 +447,7 @@ void LinkEnd::tick() {
       if (now >= next_announcement_) {
         session_.announce(resting_heartbeat() + options.heartbeat);
         flush();
-        next_announcement_ = now + resting_heartbeat() - options.heartbeat / 2;
+        next_announcement_ = now + resting_heartbeat() - options.heartbeat;
       }
     } else if (greeted_ && !std::exchange(wrote_since_tick_, false)) {
       session_.remind(options.heartbeat);

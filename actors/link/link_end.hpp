@@ -121,7 +121,8 @@ private:
   /// A message passes.
   void wake(Clock::time_point now);
   Milliseconds resting_heartbeat() const;
-  Milliseconds resting_period() const;
+  Milliseconds rest(Clock::time_point now) const;
+  Milliseconds patience_at_rest() const;
   void tick();
   void schedule_tick(Clock::time_point now, Milliseconds after);
   bool misses_peer(Clock::time_point now) const;
