@@ -23,9 +23,9 @@ using TickAtom = caf::atom_constant<caf::atom("tick")>;
 using LeaseAtom = caf::atom_constant<caf::atom("lease")>;
 
 constexpr std::chrono::milliseconds period{250};
-/// Budgets are seconds. It looks at whole ones, as the links of all processes of a machine do, so
-/// that the machine has to wake up only once for them.
-constexpr std::chrono::milliseconds resting_period{1000};
+/// The keeper looks at whole ones, as the links of all processes of a machine do, so that the
+/// machine has to wake up only once for them.
+constexpr std::chrono::milliseconds resting_period{2000};
 
 /// Time until the next whole `step` of the clock.
 ComponentRecord::Clock::duration until_whole(ComponentRecord::Clock::duration step,
@@ -142,7 +142,7 @@ private:
       give_back_memory();
     rest_->begin();
     // A lease that comes from here on ends the rest.
-    schedule(is_anything_to_watch(now) ? period : until_whole(resting_period, now));
+    schedule(is_anything_to_watch(now) ? period : until_whole(longest_rest(), now));
   }
 
   void report(const Overrun& x) {
@@ -160,6 +160,14 @@ private:
     return std::ranges::any_of(parts_.components, [&](auto& x) {
       return !x->leases.empty() || x->in_user_code_for(now) > std::chrono::nanoseconds{0};
     });
+  }
+
+  /// A component that begins to compute meanwhile is looked at before its budget is over.
+  std::chrono::milliseconds longest_rest() const {
+    auto result = resting_period;
+    for (auto& x : parts_.components)
+      result = std::min(result, x->budget());
+    return std::max(result, period);
   }
 
   caf::event_based_actor* self_;

@@ -50,8 +50,8 @@ class DeletionWatch {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// To be called once a second or more often, with the number of deletions so far; true if memory
-  /// is to be given back now.
+  /// To be called often, with the number of deletions so far; true if memory is to be given back
+  /// now.
   bool check(std::uint64_t deletions, Clock::time_point now);
 
   /// So many deletions are many, and fewer in a second are few.
@@ -73,8 +73,9 @@ struct KeeperParts {
 };
 
 /// The keeper of one process: renews the leases of its components while they return from their own
-/// code within their budget, reports those that do not, and gives memory back to the system. It looks
-/// four times a second, and once while no component holds a lease or runs its own code.
+/// code within their budget, reports those that do not, and gives memory back to the system. It
+/// looks four times a second, and every two seconds while no component holds a lease or runs its
+/// own code.
 caf::behavior keeper(caf::event_based_actor* self, KeeperParts parts);
 
 } // namespace castor

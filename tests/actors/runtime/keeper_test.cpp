@@ -148,18 +148,25 @@ TEST_F(KeptLeases, AreRenewedSoonAfterARest) {
   }
 }
 
-TEST_F(KeptLeases, WithoutAnyTheKeeperLooksOnceASecond) {
+TEST_F(KeptLeases, WithoutAnyTheKeeperRests) {
   pass(5s);
   auto& timers = scheduler.clock().schedule();
   ASSERT_EQ(timers.size(), 1u);
   const auto first = timers.begin()->first;
-  pass(1s);
+  pass(2s);
   ASSERT_EQ(timers.size(), 1u);
-  EXPECT_EQ(timers.begin()->first - first, 1s);
+  EXPECT_EQ(timers.begin()->first - first, 2s);
   component->enter_user_code(scheduler.clock().now() - 1ms);
-  pass(1s);
+  pass(2s);
   ASSERT_EQ(timers.size(), 1u);
   EXPECT_LE(timers.begin()->first - scheduler.clock().now(), 250ms) << "its budget is watched";
+}
+
+TEST_F(KeptLeases, AShortBudgetMakesTheRestShort) {
+  component->set_budget(500ms);
+  pass(5s);
+  ASSERT_EQ(scheduler.clock().schedule().size(), 1u);
+  EXPECT_LE(scheduler.clock().schedule().begin()->first - scheduler.clock().now(), 500ms);
 }
 
 } // namespace
