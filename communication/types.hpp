@@ -269,11 +269,13 @@ struct PronounReferents {
 struct DirectivePlace {
   /// A relation (near, left, right, front, back, on, between, in, away ...), or without landmarks a
   /// part: left, left-edge, front-left-corner, centre, edge, corner, elsewhere, table, there ...;
-  /// or how several things are arranged: in-row, in-column, in-ring, apart.
+  /// or measured: midway, equidistant, in-line, other-side, both-sides, roomiest; or how several
+  /// things are arranged: in-row, in-row-as-named, in-column, in-ring, apart.
   std::string relation;
   /// Proxies; several are meant together.
   std::vector<std::string> landmarks;
-  /// How far something goes to a side, metres; 0 if nothing is said.
+  /// How far something goes to a side, or how wide the gap to a landmark is; metres, 0 if nothing
+  /// is said.
   double distance = 0;
 
   friend bool operator==(const DirectivePlace&, const DirectivePlace&) = default;
@@ -282,8 +284,8 @@ struct DirectivePlace {
 /// Whether the relation of a DirectivePlace is one that things have together: a row, a ring, far
 /// from each other.
 inline bool is_arrangement(std::string_view relation) {
-  return relation == "in-row" || relation == "in-column" || relation == "in-ring" ||
-         relation == "apart";
+  return relation == "in-row" || relation == "in-row-as-named" || relation == "in-column" ||
+         relation == "in-ring" || relation == "apart";
 }
 
 /// What is to be done with some things.
@@ -296,7 +298,8 @@ struct DirectiveStep {
   std::int32_t number = 0;
   /// All of them are to hold; empty if nothing is said.
   std::vector<DirectivePlace> places;
-  /// Kind of feature that the things are to be sorted by; else empty.
+  /// Kind of feature that the things are to be sorted by, or a measure: height, width, volume, from
+  /// the left, or with "-down" from the right; else empty.
   std::string by;
 
   friend bool operator==(const DirectiveStep&, const DirectiveStep&) = default;

@@ -39,7 +39,9 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     BindingMonitor::start();
     on_change(added<DialogueMove>(),
               [this](const ChangeEvent& event) { moves_.insert(event.address.id); });
-    on_binding_change(changed<BindingProxy>(), [](const ChangeEvent&) {});
+    started_ = now();
+    on_binding_change(changed<BindingProxy>(),
+                      [this](const ChangeEvent&) { last_change_ = now(); });
     for (auto& x : read_all<DialogueMove>())
       moves_.insert(x.address.id);
     for (auto& x : read_all<MoveReferents>())
@@ -81,6 +83,8 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     }
     const bool is_known = exists(address);
     const auto said = with_names_told(move, *vocabulary(binding()));
+    if (!is_known)
+      wait_for_what_is_named(id, said);
     auto meant = said;
     auto referents = is_known ? *read<MoveReferents>(address) : referents_of(id, meant);
     auto spoken_of = referents;
@@ -108,6 +112,37 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     if (history_.size() > remembered_)
       history_.erase(history_.begin());
     add(address, std::move(referents));
+  }
+
+  /// What somebody names may be on the table, but not bound yet: not until binding has been idle
+  /// for a while is there nothing like it.
+  void wait_for_what_is_named(const std::string& id, const DialogueMove& move) {
+    const auto given_up = now() + search_.get();
+    while (is_running() && now() < given_up && !has_settled() && finds_nothing_like_it(id, move))
+      wait_for_changes(look_every);
+  }
+
+  bool has_settled() {
+    const auto quiet = now() - last_change_.value_or(started_);
+    if (!last_change_)
+      return quiet >= search_.get();
+    try {
+      return quiet >= settled_.get() &&
+             read<binding::BinderStatus>({binding(), binding::binder_status})->stable;
+    } catch (const WorkingMemoryException&) {
+      return true;
+    }
+  }
+
+  bool finds_nothing_like_it(const std::string& id, DialogueMove move) {
+    const auto referents = referents_of(id, move);
+    if (!questions_)
+      questions_.emplace(vocabulary(binding()));
+    const auto whole = questions_->complete(move, from_entry(referents.pronouns));
+    const auto response = with_scene(binding(), [&](SceneKnowledge& scene) {
+      return respond(whole.move, whole.antecedents, scene);
+    });
+    return response.relation == RhetoricalRelation::correction;
   }
 
   /// What who does it has chosen, where requests before left that open.
@@ -227,6 +262,12 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     this, "patience", std::chrono::seconds{2},
     "how long an utterance waits until binding has processed the earlier ones"};
 
+  Option<std::chrono::milliseconds> settled_{
+    this, "settled", std::chrono::milliseconds{500},
+    "there is nothing like what somebody names when binding has been idle for so long"};
+  Option<std::chrono::milliseconds> search_{
+    this, "search", std::chrono::seconds{5},
+    "the longest wait for binding to be idle when there is nothing like what somebody names"};
   Option<double> reach_{this, "reach", PointingLimits{}.reach,
                         "how far what is pointed at may be from the place, metres"};
   Option<std::uint32_t> pointed_utterances_{
@@ -237,6 +278,10 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
     std::chrono::duration_cast<std::chrono::milliseconds>(PointingLimits{}.age),
     "nor after this time, if it is known when it was pointed at"};
 
+  static constexpr std::chrono::milliseconds look_every{100};
+
+  Timestamp started_{0};
+  std::optional<Timestamp> last_change_;
   std::set<std::string> moves_;
   std::vector<MoveReferents> history_;
   std::optional<QuestionContext> questions_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -25,6 +26,11 @@ bool is_about_touching(std::string_view verb) {
   constexpr std::array<std::string_view, 9> verbs{"touch", "move",  "take",   "push",  "put",
                                                   "hold",  "reach", "remove", "forbid"};
   return std::ranges::find(verbs, verb) != verbs.end();
+}
+
+/// What things are put in a row by.
+bool is_measure(std::string_view by) {
+  return by.starts_with("height") || by.starts_with("width") || by.starts_with("volume");
 }
 
 class StepReader {
@@ -60,6 +66,15 @@ private:
     // "Do not take the ball and put it down": it is not clear how far "not" goes.
     if (was_negated_ && !is_negated(x))
       throw Uninterpretable{Reason::word, "not"};
+    // "If it is small, take it, otherwise leave it alone."
+    if (const auto* otherwise = dependent(form_, x, "Otherwise")) {
+      const auto& condition = need(x, "Condition");
+      const auto truth = meant_.evaluation().clause(condition);
+      if (truth == Truth::no && scene_.open_questions().empty()) {
+        meant_.note_clause(condition);
+        return add(*otherwise);
+      }
+    }
     check_clauses(x);
     DirectiveStep step;
     if (is_negated(x) || x.proposition == "forbid") {
@@ -186,9 +201,11 @@ private:
     if (destination.proposition == "near-each-other")
       return read_gathering(meant, step);
     if (destination.proposition == "on-each-other")
-      return read_stacking(meant, step);
+      return read_stacking(patient, in_stacking_order(patient, x, std::move(meant)), step);
     if (is_arrangement(destination.proposition))
       return read_arrangement(meant, destination, step);
+    if (destination.proposition == "gap")
+      return read_gap(meant, x, step);
     Things landmarks;
     for (const auto& place : places_named(form_, destination, vocabulary())) {
       Things others;
@@ -232,8 +249,47 @@ private:
     step.things.assign(gathered.begin() + 1, gathered.end());
   }
 
+  /// From the bottom: in the order in which they are named, else the widest first, and what nothing
+  /// stays on last. "With the green one at the bottom" says which is first.
+  Meant in_stacking_order(const Nominal& patient, const Nominal& x, Meant meant) {
+    if (patient.sort != "conjunction") {
+      const auto width = [&](const std::string& id) {
+        const auto body = scene_.body(id);
+        const auto shapes = scene_.words(id, binding::FeatureKind::shape);
+        const bool is_round = !shapes.empty() && shapes.front() == "sphere";
+        return is_round || !body ? 0.0 : body->extent[0] * body->extent[1];
+      };
+      std::ranges::stable_sort(meant.things, std::greater{}, width);
+    }
+    // "The tallest tower you can": of all that can be stacked, one that is round on top.
+    if (feature(patient, "Stackable") == "true") {
+      const auto is_flat = [&](const std::string& id) {
+        const auto shapes = scene_.words(id, binding::FeatureKind::shape);
+        return !shapes.empty() && shapes.front() != "sphere";
+      };
+      std::erase_if(meant.things, [&](const auto& id) { return !is_flat(id); });
+    }
+    const auto* bottom = dependent(form_, x, "Bottom");
+    const auto* top = bottom == nullptr ? dependent(form_, x, "Top") : bottom;
+    if (top != nullptr) {
+      const auto ends = meant_.landmarks_of(*top, {});
+      const auto is_end = [&](const auto& id) {
+        return (std::ranges::find(ends, id) != ends.end()) == (bottom != nullptr);
+      };
+      std::ranges::stable_partition(meant.things, is_end);
+    }
+    return meant;
+  }
+
   /// Each on the one before.
-  void read_stacking(const Meant& meant, DirectiveStep& step) {
+  void read_stacking(const Nominal& patient, const Meant& meant, DirectiveStep& step) {
+    // "A tower of three blocks" is of the best of them.
+    if (meant.number > 0 && meant.number < std::ssize(meant.things)) {
+      Meant some = meant;
+      some.things.resize(static_cast<std::size_t>(meant.number));
+      some.number = 0;
+      return read_stacking(patient, some, step);
+    }
     const auto stacked = meant_.proxies(meant.things);
     if (stacked.size() < 2 && scene_.open_questions().empty())
       throw Uninterpretable{Reason::word, "on-each-other"};
@@ -244,6 +300,17 @@ private:
       else
         step = std::move(next);
     }
+  }
+
+  /// "Leave 3 cm between the cubes": the second that far from the first.
+  void read_gap(const Meant& meant, const Nominal& x, DirectiveStep& step) {
+    const auto two = meant_.proxies(meant.things);
+    if (two.size() != 2 && scene_.open_questions().empty())
+      throw Uninterpretable{Reason::word, "between"};
+    if (two.size() != 2)
+      return;
+    step.things = {two.back()};
+    step.places.push_back({"near", {two.front()}, centimetres_in(need(x, "Gap").proposition)});
   }
 
   void read_arrangement(const Meant& meant, const Nominal& destination, DirectiveStep& step) {
@@ -270,8 +337,14 @@ private:
       step.action = action_for("give");
     if (x.proposition == "put-back" && is_everything(*patient))
       step.action = action_for("restore");
-    const bool tells_itself = x.proposition == "drop" || x.proposition == "put-back";
-    take(tells_itself ? meant_.one_of_like(*patient) : meant_.things(*patient), *patient, step);
+    const bool tells_itself =
+      x.proposition == "drop" || x.proposition == "put-back" || x.proposition == "how-far-moved";
+    const auto meant = tells_itself ? meant_.one_of_like(*patient) : meant_.things(*patient);
+    take(meant, *patient, step);
+    // "How far is the ball from the cube?"
+    if (const auto* other = dependent(form_, x, "Counterpart"))
+      for (auto& id : meant_.proxies(meant_.landmarks_of(*other, meant.things)))
+        step.things.push_back(std::move(id));
   }
 
   /// "Put everything back", but not "all of them" or "all balls".
@@ -293,7 +366,7 @@ private:
   void read_sorting(const Nominal& x, const Nominal* patient, DirectiveStep& step) {
     const auto* by = dependent(form_, x, "By");
     step.by = by == nullptr ? "colour" : by->proposition;
-    if (!vocabulary().kind_of_quality(step.by))
+    if (!is_measure(step.by) && !vocabulary().kind_of_quality(step.by))
       throw Uninterpretable{Reason::word, step.by};
     Meant meant{scene_.things(), 0};
     if (patient != nullptr)

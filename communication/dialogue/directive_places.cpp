@@ -44,6 +44,9 @@ const Words parts{{"left", "left"},
                   {"away", "elsewhere"},
                   {"aside", "aside"},
                   {"here", "at-hand"},
+                  {"roomiest", "roomiest"},
+                  {"on-top", "on-top"},
+                  {"opposite-corner", "opposite-corner"},
                   {"there", "there"}};
 
 /// Relations to landmarks, besides those that binding has.
@@ -63,6 +66,11 @@ const Words relations{{"on", "on"},
                       {"directly-front", "front"},
                       {"directly-back", "back"},
                       {"touching", "near"},
+                      {"midway", "midway"},
+                      {"equidistant", "equidistant"},
+                      {"in-line", "in-line"},
+                      {"other-side", "other-side"},
+                      {"both-sides", "both-sides"},
                       {"place-of", "where"},
                       {"place-before-of", "where-before"}};
 
@@ -91,10 +99,7 @@ std::string relation(const std::string& word, const Vocabulary& vocabulary) {
 
 /// "Ten centimetres to the left"; 0 if nothing is said.
 double metres_of(const Nominal& region) {
-  const auto centimetres = feature(region, "Centimetres");
-  int number = 0;
-  std::from_chars(centimetres.data(), centimetres.data() + centimetres.size(), number);
-  return number / 100.0;
+  return centimetres_in(feature(region, "Centimetres"));
 }
 
 /// "Front" and "left" without landmarks are a corner.
@@ -117,6 +122,12 @@ PlacePhrase side_of(const Nominal& owner, const std::string& side) {
 }
 
 } // namespace
+
+double centimetres_in(std::string_view text) {
+  int number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number / 100.0;
+}
 
 PlacePhrase part_named(const LogicalForm& form, const Nominal& x, const Vocabulary& vocabulary) {
   if (vocabulary.surroundings(x) != nullptr)
@@ -151,7 +162,7 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
     throw Uninterpretable{Reason::word, destination.proposition};
   const auto* anchor = dependent(form, destination, "Anchor");
   // "A bit further left."
-  if (const auto degree = feature(destination, "Degree"); !degree.empty()) {
+  if (const auto degree = feature(destination, "Degree"); !degree.empty() && anchor == nullptr) {
     const auto side = destination.proposition.substr(destination.proposition.find('-'));
     return {{(degree == "small" ? "slightly" : "further") + side, nullptr, metres_of(destination)}};
   }
@@ -174,7 +185,7 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
       throw Uninterpretable{Reason::word, destination.proposition};
     return {{found == parts.end() ? "table" : std::string{found->second}, nullptr}};
   }
-  return {{relation(destination.proposition, vocabulary), anchor}};
+  return {{relation(destination.proposition, vocabulary), anchor, metres_of(destination)}};
 }
 
 } // namespace castor::communication

@@ -4,6 +4,7 @@
 #include "castor/communication/types.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace castor::communication {
@@ -29,5 +30,8 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
 /// The part of what things are on that a phrase such as "the left side" stands for.
 /// \throws Uninterpretable for what is no such part
 PlacePhrase part_named(const LogicalForm& form, const Nominal& part, const Vocabulary& vocabulary);
+
+/// A number of centimetres as metres; 0 for what is no number.
+double centimetres_in(std::string_view text);
 
 } // namespace castor::communication

@@ -4,6 +4,8 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <utility>
 
 namespace castor::communication {
@@ -112,6 +114,22 @@ MeantThings DirectiveThings::things(const Nominal& phrase) {
 }
 
 MeantThings DirectiveThings::things_of(const Nominal& phrase) {
+  auto result = things_named(phrase);
+  mentioned_.insert(mentioned_.end(), result.things.begin(), result.things.end());
+  return result;
+}
+
+/// "Put the cube where the red ball is, and put the ball aside": of several that are like it, the
+/// one that the request has named.
+std::optional<std::string> DirectiveThings::named_before(const Nominal& phrase) {
+  std::set<std::string> named;
+  for (const auto& id : evaluation_.described(phrase).certain)
+    if (std::ranges::find(mentioned_, id) != mentioned_.end())
+      named.insert(id);
+  return named.size() == 1 ? std::optional{*named.begin()} : std::nullopt;
+}
+
+MeantThings DirectiveThings::things_named(const Nominal& phrase) {
   if (auto before = of_step_before(phrase))
     return *before;
   if (phrase.sort == "conjunction")
@@ -129,7 +147,18 @@ MeantThings DirectiveThings::things_of(const Nominal& phrase) {
   if (is_plural(phrase) && is_others && !antecedents_.contains(phrase.name) &&
       scene_.open_questions().empty())
     throw Uninterpretable{Reason::ambiguous, phrase.name};
-  auto meant = evaluation_.meant(phrase);
+  Things meant;
+  try {
+    meant = evaluation_.meant(phrase);
+  } catch (const Uninterpretable& e) {
+    const auto named = is_plural(phrase) || is_pronoun(phrase) || is_others ||
+                           e.reason != Reason::ambiguous || e.what != phrase.name
+                         ? std::nullopt
+                         : named_before(phrase);
+    if (!named)
+      throw;
+    meant = {*named};
+  }
   if (meant.size() == 1 && is_plural(phrase) && is_others)
     meant = all_but_those_before(phrase);
   return {std::move(meant), 0};
@@ -194,11 +223,47 @@ std::int32_t DirectiveThings::number_of(const Nominal& phrase, std::size_t all) 
   return delimited.empty() ? 0 : static_cast<std::int32_t>(std::min<std::size_t>(all, 2));
 }
 
+/// "Take the thing next to the ball and put it behind it": the only other thing that is spoken of
+/// before.
+Things DirectiveThings::only_other_before(const Nominal& pronoun, const Things& patients) {
+  std::set<std::string> others;
+  for (const auto& x : form_.nominals)
+    if (x.sort == "thing" && !is_pronoun(x) && is_definite_phrase(x) && !is_plural(x) &&
+        place_of_word(x) < place_of_word(pronoun) && vocabulary().surroundings(x) == nullptr)
+      for (const auto& id : all_but(evaluation_.meant(x), patients))
+        others.insert(id);
+  return others.size() == 1 ? Things{*others.begin()} : Things{};
+}
+
+/// Of several that will do, the nearest to what is put there.
+Things DirectiveThings::nearest_of(const MeantThings& all, const Things& patients) const {
+  auto result = all_but(all.things, patients);
+  const auto own = patients.empty() ? std::nullopt : scene_.place(patients.front());
+  if (own)
+    std::ranges::stable_sort(result, {}, [&](const std::string& id) {
+      const auto place = scene_.place(id);
+      return place ? std::hypot(place->x - own->x, place->y - own->y) : 1e9;
+    });
+  if (std::ssize(result) > all.number)
+    result.resize(static_cast<std::size_t>(all.number));
+  return result;
+}
+
 Things DirectiveThings::landmarks_of(const Nominal& phrase, const Things& patients) {
   try {
-    if (auto before = of_step_before(phrase); before && before->things != patients)
+    const auto before = of_step_before(phrase);
+    if (before && before->things != patients)
       return before->things;
-    return things_of(phrase).things;
+    if (before && !is_plural(phrase))
+      if (auto other = only_other_before(phrase, patients); !other.empty())
+        return other;
+    const auto all = things_of(phrase);
+    // "Put the red ball next to the ball."
+    if (all.things == patients && !is_pronoun(phrase) && !is_plural(phrase))
+      if (auto others = all_but(evaluation_.described(phrase).certain, patients);
+          others.size() == 1)
+        return others;
+    return all.number > 0 ? nearest_of(all, patients) : all.things;
   } catch (const Uninterpretable& e) {
     if (e.reason != Reason::ambiguous || e.what != phrase.name || is_pronoun(phrase))
       throw;

@@ -58,6 +58,10 @@ public:
 private:
   const Vocabulary& vocabulary() const { return scene_.vocabulary(); }
 
+  MeantThings things_named(const Nominal& phrase);
+  std::optional<std::string> named_before(const Nominal& phrase);
+  Things only_other_before(const Nominal& pronoun, const Things& patients);
+  Things nearest_of(const MeantThings& all, const Things& patients) const;
   Things of_before(const Nominal& phrase);
   std::optional<MeantThings> of_step_before(const Nominal& phrase) const;
   std::optional<MeantThings> of_clause(const Nominal& phrase) const;
@@ -73,6 +77,8 @@ private:
   /// What the step before was about, and what this one is.
   std::optional<MeantThings> last_;
   MeantThings current_;
+  /// What the request has named so far.
+  Things mentioned_;
   /// What a clause beside the request is about: its subject, and all of its things.
   std::optional<MeantThings> subject_;
   MeantThings of_whole_clause_;

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <charconv>
+#include <cstddef>
 #include <utility>
 
 namespace castor::communication {
@@ -103,12 +106,26 @@ LogicalForm repeated(LogicalForm request, std::string_view more) {
       more == "again")
     return request;
   auto& region = *find_nominal(request, destination->name);
-  const auto side = region.proposition.substr(region.proposition.find('-') + 1);
-  if (std::ranges::find(sides, side) == sides.end())
+  auto side = region.proposition.substr(region.proposition.find('-') + 1);
+  const auto known = std::ranges::find(sides, side);
+  if (known == sides.end())
     return request;
+  std::string centimetres;
+  if (more == "half-back") {
+    // Opposites follow each other; without a length it went as far as "further" or "a bit" says.
+    side = sides[static_cast<std::size_t>(known - sides.begin()) ^ 1U];
+    const auto length = feature(region, "Centimetres");
+    int number = feature(region, "Degree") == "small" ? 4 : 8;
+    std::from_chars(length.data(), length.data() + length.size(), number);
+    centimetres = std::to_string(std::max(number / 2, 1));
+  } else if (std::isdigit(static_cast<unsigned char>(more.front())) != 0)
+    centimetres = more;
   region.proposition = "further-" + side;
-  std::erase_if(region.features, [](auto& x) { return x.name == "Degree"; });
-  region.features.push_back({"Degree", std::string{more}});
+  std::erase_if(region.features,
+                [](auto& x) { return x.name == "Degree" || x.name == "Centimetres"; });
+  region.features.push_back({"Degree", centimetres.empty() ? std::string{more} : "more"});
+  if (!centimetres.empty())
+    region.features.push_back({"Centimetres", centimetres});
   return request;
 }
 

@@ -39,11 +39,19 @@ const Nominal& Responder::need(const Nominal& of, const char* mode) const {
 Response Responder::to_directive() {
   if (is_handling(form_, vocabulary().meanings())) {
     steps_of(form_, antecedents_, scene_);
-    return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};
+    return cannot_do_that();
   }
   for (const auto* thing : things_spoken_of(form_, vocabulary()))
     if (is_definite(*thing))
       evaluation_.meant(*thing);
+  return cannot_do_that();
+}
+
+/// And what it can do instead, where the lexicon says that.
+Response Responder::cannot_do_that() const {
+  const auto& replies = vocabulary().meanings().replies;
+  if (const auto deeds = replies.find("deeds"); deeds != replies.end())
+    return {RhetoricalRelation::answer, {}, "I can not do that. " + deeds->second, {}};
   return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};
 }
 
@@ -104,7 +112,7 @@ Response Responder::to(const Uninterpretable& why) const {
     return {RhetoricalRelation::answer, {}, "That is not so, so I do nothing.", {}};
   // "Can you take the ball?"
   if (why.reason == Reason::word && root().sort == "action")
-    return {RhetoricalRelation::answer, {{i_cannot_do_that()}}, {}, {}};
+    return cannot_do_that();
   // What belongs to whom, and who likes what, the table does not tell; nor where people are.
   if (why.reason == Reason::word && root().sort == "perception")
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};

@@ -16,7 +16,8 @@ class Responder {
 public:
   /// All of them have to outlive the responder.
   Responder(const LogicalForm& form, const Antecedents& antecedents, SceneKnowledge& scene)
-    : form_(form), antecedents_(antecedents), scene_(scene), evaluation_(form, antecedents, scene) {}
+    : form_(form), antecedents_(antecedents), scene_(scene), evaluation_(form, antecedents, scene) {
+  }
 
   // Each throws Uninterpretable.
 
@@ -26,8 +27,8 @@ public:
   Response to_assertion() { return to_assertion(root()); }
   /// Corrects what is said before a question in the same sentence; nothing if it may be so.
   std::optional<Response> to_preface();
-  /// Asks back if it is not clear what is meant. Whoever does what is asked for, or knows whether it
-  /// is possible, replies otherwise.
+  /// Asks back if it is not clear what is meant. Whoever does what is asked for, or knows whether
+  /// it is possible, replies otherwise.
   Response to_directive();
 
   /// The response with descriptions of what only the speaker can call "this".
@@ -82,6 +83,7 @@ private:
   std::optional<LogicalForm> by_position(const std::string& id, const std::string& noun);
 
   // -- replies
+  Response cannot_do_that() const;
   LogicalForm nothing_like(const Nominal& phrase) const;
   LogicalForm as_it_is(const std::string& id, const LogicalForm& what, const Nominal& scope) const;
   LogicalForm denied(const std::string& id, const Nominal& scope) const;

@@ -71,6 +71,16 @@ Offsets in_line(const Things& things, double x, double y) {
   return result;
 }
 
+/// From left to right in the order in which they are given.
+Offsets in_line_as_named(const Things& things) {
+  Offsets result;
+  for (std::size_t i = 0; i < things.size(); ++i)
+    result.push_back(
+      {spacing(things) * (static_cast<double>(i) - (static_cast<double>(things.size()) - 1) / 2),
+       0});
+  return result;
+}
+
 Offsets in_ring(const Things& things, const Offset& middle) {
   const auto rank =
     ranks(things, [&](const TableThing& t) { return std::atan2(t.y - middle.y, t.x - middle.x); });
@@ -137,6 +147,8 @@ std::vector<TableSpot> arranged(std::string_view arrangement,
   const auto middle = middle_of(things);
   if (arrangement == "in-row")
     return around(middle, in_line(things, spacing(things), 0), things, table);
+  if (arrangement == "in-row-as-named")
+    return around(middle, in_line_as_named(things), things, table);
   if (arrangement == "in-column")
     return around(middle, in_line(things, 0, spacing(things)), things, table);
   if (arrangement == "in-ring")

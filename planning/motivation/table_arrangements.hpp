@@ -9,8 +9,9 @@
 namespace castor::planning {
 
 /// Places for all of some things, so that they stand in a row from left to right, in a column, in a
-/// ring, or farther from each other. Each keeps its rank among the others, and they go no farther
-/// than they have to; where others stand, none is put.
+/// ring, or farther from each other. Each keeps its rank among the others, but in a row "as named"
+/// they stand in the order in which they are given; they go no farther than they have to, and where
+/// others stand, none is put.
 ///
 /// @param things two at least, of `table`
 /// @returns a spot for each of the things, "spot-of-" and its object; none if there is no room

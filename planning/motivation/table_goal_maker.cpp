@@ -44,10 +44,10 @@ TableGoal TableGoalMaker::make() {
     return {TableWish::go_on, {}, {}, 0, "go on"};
   if (things_.size() < step_.things.size())
     return refusal("I do not see all of that any more.");
-  if (action == "WhereWas")
-    return where_was();
-  if (action == "WhichMoved")
-    return which_moved();
+  if (is_question(action))
+    return answer_question();
+  if (action == "Note")
+    return {TableWish::note, {}, {}, 0, "I will remember how the things lie now."};
   if (action == "Forbid" || action == "Allow")
     return manage();
   return leave_kept();
@@ -118,6 +118,8 @@ TableGoal TableGoalMaker::handle() {
     return undo();
   if (action == "Restore")
     return restore();
+  if (action == "PutAsNoted")
+    return put_as_noted();
   if (action == "PutDown")
     return put_down();
   if (!step_.places.empty())
@@ -250,6 +252,9 @@ TableGoal TableGoalMaker::clear() {
 
 /// A strip of the table for each value, in the order in which their things lie already.
 TableGoal TableGoalMaker::sort() {
+  if (step_.by.starts_with("height") || step_.by.starts_with("width") ||
+      step_.by.starts_with("volume"))
+    return sort_in_row();
   std::map<std::string, Things> groups;
   for (const auto* x : things_) {
     const auto value = x->qualities.find(step_.by);

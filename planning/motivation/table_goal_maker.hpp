@@ -43,9 +43,21 @@ private:
   TableGoal clear();
   TableGoal sort();
 
+  // -- questions (table_answers.cpp)
+  TableGoal answer_question() const;
+  TableGoal last_moved() const;
+  TableGoal have_moved() const;
+  TableGoal how_far_moved() const;
+  TableGoal what_is_kept() const;
+  TableGoal may_touch() const;
+  TableGoal how_far() const;
+  TableGoal extreme_pair(bool is_closest) const;
+  TableGoal how_large(bool is_height) const;
+
   // -- what was before (table_goals_back.cpp)
   TableGoal put_back();
   bool has_landmark_that_was_moved() const;
+  TableGoal put_as_noted();
   TableGoal undo();
   TableGoal restore();
   void back_to(const TableThing& x, const std::string& waypoint);
@@ -61,6 +73,15 @@ private:
   std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_on(const Things& landmarks) const;
+
+  // -- measured places (table_goals_spots.cpp)
+  std::optional<std::string> put_at_spot(const DirectivePlace& place, std::string& where);
+  TableGoal put_on_both_sides(const DirectivePlace& place);
+  const TableThing* top_of_stack() const;
+  std::optional<std::string> put_on_top(std::string& where);
+  std::string corner_for_all() const;
+  std::optional<std::string> put_in_opposite_corner(std::string& where);
+  TableGoal sort_in_row();
 
   const DirectiveStep& step_;
   std::span<const TableThing> table_;

@@ -26,6 +26,8 @@ enum class TableWish {
   keep,
   keep_clear,
   allow,
+  /// Where things are now is to be remembered.
+  note,
   /// It is impossible.
   refusal
 };
@@ -55,6 +57,9 @@ struct TableGoal {
 /// Facts for the planner: relations that the goal's formula does not speak of, "(unasked
 /// rel-left)", so that no places are chosen in them.
 std::vector<std::string> unasked_relations(std::string_view formula);
+
+/// Whether a step asks something of what was done or seen: nothing is to be reached for it.
+bool is_question(std::string_view action);
 
 /// The goal of a step, or why there is none. "One of the balls" is any: of several that will do the
 /// first is taken.

@@ -62,6 +62,20 @@ TableGoal TableGoalMaker::restore() {
               listed(things_) + are(things_) + " where " + it_was() + " at first");
 }
 
+/// As they were when people said to remember that.
+TableGoal TableGoalMaker::put_as_noted() {
+  if (std::ranges::all_of(table_, [](const auto& x) { return x.waypoint_noted.empty(); }))
+    return refusal("I was not told to remember how things were. Say 'remember this' for that.");
+  things_.clear();
+  for (const auto& x : table_)
+    if (!x.is_kept && !x.waypoint_noted.empty() && (x.is_held || x.waypoint != x.waypoint_noted))
+      back_to(x, x.waypoint_noted);
+  if (things_.empty())
+    return refusal("Everything is as I was to remember it.");
+  return goal("put " + listed(things_) + " back where " + it_was(),
+              listed(things_) + are(things_) + " as I was to remember");
+}
+
 void TableGoalMaker::back_to(const TableThing& x, const std::string& waypoint) {
   things_.push_back(&x);
   facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');

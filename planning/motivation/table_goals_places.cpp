@@ -1,5 +1,6 @@
 #include "castor/planning/motivation/table_arrangements.hpp"
 #include "castor/planning/motivation/table_goal_maker.hpp"
+#include "castor/planning/motivation/table_spots.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +17,35 @@ bool is_round(const TableThing& x) {
   return shape != x.qualities.end() && shape->second == "sphere";
 }
 
+bool is_measured_place(const communication::DirectivePlace& x) {
+  return is_measured(x.relation, x.landmarks.empty() ? 0 : x.distance);
+}
+
 } // namespace
 
 TableGoal TableGoalMaker::put() {
   choose();
   const auto verb = (step_.action == "Push" ? "push " : "put ") + listed(things_);
   std::string where;
+  // "In a row along the edge": at an edge they are in a row.
+  const bool is_in_part = std::ranges::any_of(step_.places, [](const DirectivePlace& x) {
+    return !words_for(part_words, x.relation).empty();
+  });
   for (const auto& place : step_.places) {
+    if (communication::is_arrangement(place.relation) && is_in_part)
+      continue;
     if (communication::is_arrangement(place.relation))
       return arrange(place.relation);
+    if (place.relation == "both-sides")
+      return put_on_both_sides(place);
     if (place.relation == "where" || place.relation == "where-before")
       return put_where_another_is(place, verb);
     const auto* shift = std::ranges::find(shifts, place.relation, &Shift::relation);
-    auto problem = shift != std::end(shifts) ? put_further(*shift, place.distance, where)
-                   : place.landmarks.empty() ? put_in_part(place, where)
-                                             : put_at_landmarks(place, where);
+    auto problem = shift != std::end(shifts)    ? put_further(*shift, place.distance, where)
+                   : place.relation == "on-top" ? put_on_top(where)
+                   : is_measured_place(place)   ? put_at_spot(place, where)
+                   : place.landmarks.empty()    ? put_in_part(place, where)
+                                                : put_at_landmarks(place, where);
     if (problem)
       return refusal(*problem);
   }
@@ -43,6 +58,8 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement) {
   const auto words = std::string{words_for(arrangement_words, arrangement)};
   if (things_.size() < 2)
     return refusal("That takes two things at least.");
+  if (arrangement == "in-ring" && things_.size() < 3)
+    return refusal("A circle takes three things at least.");
   if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
     return refusal("I hold " + (*held)->words + ". Tell me to put it down first.");
   spots_ = arranged(arrangement, things_, table_);
@@ -87,6 +104,8 @@ std::optional<std::string> TableGoalMaker::put_further(const Shift& shift, doubl
     if (x->is_held)
       return "I hold " + x->words + ": tell me where to put it.";
     TableSpot spot{"spot-of-" + x->object, x->x + length * shift.x, x->y + length * shift.y};
+    if (!is_on_table(spot.x, spot.y))
+      return "There " + x->words + " would not be on the table any more.";
     for (const auto& other : table_)
       if (!other.is_held && std::ranges::find(things_, &other) == things_.end() &&
           std::hypot(other.x - spot.x, other.y - spot.y) < other.radius + x->radius)
@@ -103,12 +122,16 @@ std::optional<std::string> TableGoalMaker::put_further(const Shift& shift, doubl
 /// \returns why it is impossible
 std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& place,
                                                        std::string& where) {
+  if (place.relation == "opposite-corner")
+    return put_in_opposite_corner(where);
   const auto words = words_for(part_words, place.relation);
   if (words.empty())
     return "I do not know where that is: tell me a part of the table, or a thing that is there.";
+  const bool is_one_corner = place.relation == "corner" && things_.size() > 1;
+  const auto part = is_one_corner ? corner_for_all() : place.relation;
   for (const auto* x : things_)
-    facts_.push_back(in_part(*x, place.relation));
-  where += ' ' + std::string{words};
+    facts_.push_back(in_part(*x, part));
+  where += ' ' + std::string{words_for(part_words, part)};
   return std::nullopt;
 }
 

@@ -49,6 +49,14 @@ struct TableThing {
   /// Somebody has said that it is not to be touched, or that nothing is to be put on it.
   bool is_kept = false;
   bool is_kept_clear = false;
+  /// Metres; 0 if it is not known.
+  double height = 0;
+  /// The planner's name of the thing that it stands on; empty for the table.
+  std::string on = {};
+  /// Where it was when people last said to remember that; empty if they did not.
+  std::string waypoint_noted = {};
+  /// It is what was moved last.
+  bool is_last_moved = false;
 
   bool was_moved() const { return !waypoint_before.empty(); }
 };

@@ -23,7 +23,9 @@ RememberedTable TableMemory::remembered() const {
                           x.waypoint_before_goal,
                           x.waypoint_at_first,
                           x.is_kept,
-                          x.is_kept_clear};
+                          x.is_kept_clear,
+                          x.waypoint_noted,
+                          x.is_last_moved};
     for (const auto& [kind, value] : x.seen.qualities)
       thing.qualities.push_back({kind, value});
     result.things.push_back(std::move(thing));
@@ -55,7 +57,8 @@ void TableMemory::recall(const RememberedTable& x) {
       seen.qualities.emplace(quality.kind, quality.value);
     things_.push_back({thing.name, std::move(seen), thing.waypoint, thing.waypoint_before,
                        thing.is_held, thing.on, thing.former_proxies, thing.waypoint_before_goal,
-                       thing.waypoint_at_first, thing.is_kept, thing.is_kept_clear});
+                       thing.waypoint_at_first, thing.is_kept, thing.is_kept_clear,
+                       thing.waypoint_noted, thing.is_last_moved});
   }
   for (auto& y : things_)
     if (thing(y.on) == nullptr)

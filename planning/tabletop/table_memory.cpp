@@ -98,6 +98,8 @@ void TableMemory::leave(Thing& x) {
   if (x.waypoint_at_first.empty())
     x.waypoint_at_first = x.waypoint;
   x.waypoint_before = x.waypoint;
+  for (auto& y : things_)
+    y.is_last_moved = &y == &x;
   x.on.clear();
 }
 
@@ -172,6 +174,10 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
     thing.waypoint_at_first = x.waypoint_at_first;
     thing.is_kept = x.is_kept;
     thing.is_kept_clear = x.is_kept_clear;
+    thing.height = x.seen.height;
+    thing.on = x.on;
+    thing.waypoint_noted = x.waypoint_noted;
+    thing.is_last_moved = x.is_last_moved;
     if (const auto* before = place(x.waypoint_before))
       thing.spot_before = {x.waypoint_before, before->x, before->y};
     for (const auto& at : places)
@@ -209,6 +215,11 @@ void TableMemory::keep(const TableGoal& goal) {
     x.is_kept = !is_allowed && (x.is_kept || goal.wish == TableWish::keep);
     x.is_kept_clear = !is_allowed && (x.is_kept_clear || goal.wish == TableWish::keep_clear);
   }
+}
+
+void TableMemory::note_places() {
+  for (auto& x : things_)
+    x.waypoint_noted = x.is_held ? std::string{} : x.waypoint;
 }
 
 bool TableMemory::is_free(const std::string& waypoint, std::string_view goal) const {

@@ -59,6 +59,10 @@ public:
     /// Somebody has said that it is not to be touched, or that nothing is to be put on it.
     bool is_kept = false;
     bool is_kept_clear = false;
+    /// Where it was when people said to remember that.
+    std::string waypoint_noted = {};
+    /// It was moved, and nothing was after it.
+    bool is_last_moved = false;
   };
 
   /// @param agent who acts, and nouns by shapes: "ball" for "sphere"
@@ -86,6 +90,8 @@ public:
   /// Things are not to be touched from now on, nothing is to be put on them, or both is allowed, as
   /// the goal says.
   void keep(const TableGoal& goal);
+  /// Remembers where things are now.
+  void note_places();
 
   // -- for the planner
 

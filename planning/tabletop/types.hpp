@@ -71,6 +71,9 @@ struct RememberedThing {
   /// Not to be touched; nothing is to be put on it.
   bool is_kept = false;
   bool is_kept_clear = false;
+  /// Where it was when people said to remember that.
+  std::string waypoint_noted;
+  bool is_last_moved = false;
 
   friend bool operator==(const RememberedThing&, const RememberedThing&) = default;
 };
@@ -146,7 +149,7 @@ CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopp
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
                waypoint_before, is_held, on, former_proxies, waypoint_before_goal,
-               waypoint_at_first, is_kept, is_kept_clear)
+               waypoint_at_first, is_kept, is_kept_clear, waypoint_noted, is_last_moved)
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
 CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint)

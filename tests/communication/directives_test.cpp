@@ -32,13 +32,36 @@ std::string joined(const std::vector<std::string>& words) {
 
 /// As in the files: "put 1 of a,b left c".
 std::string shown(const DirectiveStep& x, bool asks_whether_possible) {
-  static const std::map<std::string, std::string> names{
-    {"Put", "put"},       {"Take", "take"},       {"PutDown", "down"},
-    {"Give", "give"},     {"Push", "push"},       {"PutBack", "back"},
-    {"Swap", "swap"},     {"Sort", "sort"},       {"Clear", "clear"},
-    {"Stop", "stop"},     {"Wait", "wait"},       {"GoOn", "go-on"},
-    {"Undo", "undo"},     {"Restore", "restore"}, {"WhereWas", "where-was"},
-    {"Forbid", "forbid"}, {"Allow", "allow"},     {"WhichMoved", "which-moved"}};
+  static const std::map<std::string, std::string> names{{"Put", "put"},
+                                                        {"Take", "take"},
+                                                        {"PutDown", "down"},
+                                                        {"Give", "give"},
+                                                        {"Push", "push"},
+                                                        {"PutBack", "back"},
+                                                        {"Swap", "swap"},
+                                                        {"Sort", "sort"},
+                                                        {"Clear", "clear"},
+                                                        {"Stop", "stop"},
+                                                        {"Wait", "wait"},
+                                                        {"GoOn", "go-on"},
+                                                        {"Undo", "undo"},
+                                                        {"Restore", "restore"},
+                                                        {"WhereWas", "where-was"},
+                                                        {"Forbid", "forbid"},
+                                                        {"Allow", "allow"},
+                                                        {"WhichMoved", "which-moved"},
+                                                        {"LastMoved", "last-moved"},
+                                                        {"HaveMoved", "have-moved"},
+                                                        {"HowFarMoved", "how-far-moved"},
+                                                        {"HowFar", "how-far"},
+                                                        {"HowTall", "how-tall"},
+                                                        {"HowWide", "how-wide"},
+                                                        {"ClosestPair", "closest"},
+                                                        {"FarthestPair", "farthest"},
+                                                        {"WhatKept", "what-kept"},
+                                                        {"MayTouch", "may-touch"},
+                                                        {"Note", "note"},
+                                                        {"PutAsNoted", "as-noted"}};
   auto result = asks_whether_possible ? std::string{"able"} : names.at(x.action);
   if (!x.things.empty())
     result +=
@@ -116,6 +139,12 @@ TEST(Directives, WhatIsSaidOfOthersIsUnderstood) {
 TEST(Directives, WhatIsSaidInOtherWaysIsUnderstood) {
   const auto result = figures_of("indirect.txt");
   EXPECT_GE(result.all, 55U);
+  EXPECT_EQ(result.right, result.all) << result.failures;
+}
+
+TEST(Directives, MeasuredPlacesAndQuestionsAreUnderstood) {
+  const auto result = figures_of("exact.txt");
+  EXPECT_GE(result.all, 65U);
   EXPECT_EQ(result.right, result.all) << result.failures;
 }
 

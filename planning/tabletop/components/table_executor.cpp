@@ -68,6 +68,10 @@ class TableExecutor final : public FindsPlaces {
       remember();
       return {goal.words, {}, {}, {}, std::move(goal.things)};
     }
+    if (request.begins && goal.wish == TableWish::note) {
+      memory_.note_places();
+      remember();
+    }
     if (goal.wish != TableWish::goal)
       return {goal.words, {}, {}, {}, {}};
     auto reached = request.begins ? memory_.begin(goal) : AchieveGoal{goal.formula};

@@ -24,6 +24,9 @@ using communication::DialogueMove;
 using communication::DialogueMoveType;
 using communication::MoveReferents;
 
+constexpr const char* what_an_arm_can_do =
+  "I can take things, give them to you, put them somewhere, push, stack, sort and swap them.";
+
 /// Makes a motive of each step of what people ask to do with things on a table, when the one before
 /// is done. Stops, pauses and resumes the arm at once.
 class TableMotives final : public HearsRequests {
@@ -101,7 +104,8 @@ class TableMotives final : public HearsRequests {
     if (referents.asks_whether_possible)
       return answer(referents);
     if (referents.steps.empty() && move.type == DialogueMoveType::action_directive)
-      reply(referents.move, MotiveReply::impossible, "I do not know how to do that.");
+      reply(referents.move, MotiveReply::impossible,
+            std::string{"I do not know how to do that. "} + what_an_arm_can_do);
     std::vector<RequestedStep> steps;
     for (const auto& x : referents.steps)
       if (x.action == "Stop")
@@ -112,8 +116,8 @@ class TableMotives final : public HearsRequests {
         debug("after the last step it waits anyway"); // "Take the ball and wait."
       else if (x.action == "GoOn")
         resume_arm(referents.move);
-      else if (x.action == "WhereWas" || x.action == "WhichMoved")
-        reply(referents.move, MotiveReply::done, goal_of({x, false}).refusal);
+      else if (is_question(x.action) || x.action == "Note")
+        reply(referents.move, MotiveReply::done, goal_of({x, true}).refusal);
       else if (x.action == "Forbid" || x.action == "Allow")
         restrain(referents.move, x);
       else

@@ -304,6 +304,30 @@ TEST_F(TableMemoryTest, KnowsWhatNothingIsToBePutOn) {
   EXPECT_THAT(facts(), Not(Contains("(kept p2)")));
 }
 
+TEST_F(TableMemoryTest, RemembersHowThingsWereWhenToldTo) {
+  memory.note_places();
+  memory.moved("p1", "place-7", "o1", {0.2, 0.1});
+  auto things = memory.things({});
+  EXPECT_EQ(things[0].waypoint_noted, "place-1");
+  EXPECT_EQ(things[0].waypoint, "place-7");
+  EXPECT_TRUE(things[0].is_last_moved);
+  memory.moved("p2", "place-8", "o2", {-0.2, 0.1});
+  TableMemory successor{"robot"};
+  successor.recall(memory.remembered());
+  things = successor.things({});
+  EXPECT_EQ(things[0].waypoint_noted, "place-1");
+  EXPECT_FALSE(things[0].is_last_moved);
+  EXPECT_TRUE(things[1].is_last_moved);
+}
+
+TEST_F(TableMemoryTest, TellsWhatStandsOnWhat) {
+  const auto place = new_place();
+  memory.choose("reposition-on", {place, "p2"});
+  memory.moved("p1", place, "", {0.1, 0.0});
+  EXPECT_EQ(memory.things({}).front().on, "p2");
+  EXPECT_DOUBLE_EQ(memory.things({}).front().height, 0.05);
+}
+
 } // namespace
 
 } // namespace castor::planning

@@ -1,0 +1,180 @@
+#include "castor/planning/motivation/table_goal_maker.hpp"
+#include "castor/planning/motivation/table_spots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+/// What the robot says of the table where nothing is to be done.
+namespace castor::planning {
+
+namespace {
+
+TableGoal answer(std::string words) {
+  return {TableWish::answer, {}, {}, 0, std::move(words)};
+}
+
+std::string centimetres(double metres) {
+  const auto number = std::lround(100 * metres);
+  return number == 1 ? "1 centimetre" : std::to_string(number) + " centimetres";
+}
+
+/// To half a centimetre: "5.5 centimetres".
+std::string fine_centimetres(double metres) {
+  const auto halves = std::lround(200 * metres);
+  return std::to_string(halves / 2) + (halves % 2 == 0 ? "" : ".5") + " centimetres";
+}
+
+double distance(const TableThing& a, const TableThing& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+} // namespace
+
+bool is_question(std::string_view action) {
+  constexpr std::array<std::string_view, 12> questions{
+    "WhereWas", "WhichMoved", "WhatKept",  "MayTouch",  "HowFar",      "HowFarMoved",
+    "HowTall",  "HowWide",    "LastMoved", "HaveMoved", "ClosestPair", "FarthestPair"};
+  return std::ranges::find(questions, action) != questions.end();
+}
+
+TableGoal TableGoalMaker::answer_question() const {
+  const auto& action = step_.action;
+  if (action == "WhereWas")
+    return where_was();
+  if (action == "WhichMoved")
+    return which_moved();
+  if (action == "LastMoved")
+    return last_moved();
+  if (action == "HaveMoved")
+    return have_moved();
+  if (action == "HowFarMoved")
+    return how_far_moved();
+  if (action == "WhatKept")
+    return what_is_kept();
+  if (action == "MayTouch")
+    return may_touch();
+  if (action == "HowFar")
+    return how_far();
+  if (action == "ClosestPair" || action == "FarthestPair")
+    return extreme_pair(action == "ClosestPair");
+  return how_large(action == "HowTall");
+}
+
+TableGoal TableGoalMaker::last_moved() const {
+  for (const auto& x : table_)
+    if (x.is_last_moved)
+      return answer("The last thing that I moved is " + x.words + '.');
+  return answer("I have moved nothing.");
+}
+
+TableGoal TableGoalMaker::have_moved() const {
+  Things moved;
+  Things others;
+  for (const auto* x : things_)
+    (x->was_moved() ? moved : others).push_back(x);
+  if (moved.empty())
+    return answer("No, I have not moved " + listed(others) + '.');
+  return answer("Yes, I have moved " + listed(moved) +
+                (others.empty() ? "" : ", but not " + listed(others)) + '.');
+}
+
+TableGoal TableGoalMaker::how_far_moved() const {
+  std::string result;
+  auto things = things_;
+  // "How far did the ball go?" Of several, those that were moved.
+  if (step_.number > 0)
+    std::erase_if(things, [](const auto* x) { return !x->was_moved(); });
+  for (const auto* x : things) {
+    if (!result.empty())
+      result += ' ';
+    if (!x->was_moved() || x->spot_before.name.empty())
+      result += sentence("I have not moved " + x->words);
+    else if (x->is_held)
+      result += sentence("I hold " + x->words + " now");
+    else
+      result += sentence("I have moved " + x->words + " by about " +
+                         centimetres(std::hypot(x->x - x->spot_before.x, x->y - x->spot_before.y)));
+  }
+  return answer(result.empty() ? "I have moved none of them." : result);
+}
+
+TableGoal TableGoalMaker::what_is_kept() const {
+  Things kept;
+  Things clear;
+  for (const auto& x : table_)
+    if (x.is_kept)
+      kept.push_back(&x);
+    else if (x.is_kept_clear)
+      clear.push_back(&x);
+  std::string result;
+  if (!kept.empty())
+    result = "I am not to touch " + listed(kept) + '.';
+  if (!clear.empty())
+    result += (result.empty() ? "" : " ") + ("I am to put nothing on " + listed(clear) + '.');
+  return answer(result.empty() ? "Nothing is forbidden: I may touch everything." : result);
+}
+
+TableGoal TableGoalMaker::may_touch() const {
+  Things kept;
+  for (const auto* x : things_)
+    if (x->is_kept)
+      kept.push_back(x);
+  return answer(kept.empty() ? "Yes, I may touch " + listed(things_) + '.'
+                             : "No, I was told not to touch " + listed(kept) + '.');
+}
+
+TableGoal TableGoalMaker::how_far() const {
+  if (things_.size() != 2)
+    return refusal("I can say how far two things are from each other: tell me which two.");
+  const auto& a = *things_.front();
+  const auto& b = *things_.back();
+  if (a.is_held || b.is_held)
+    return answer("I hold " + (a.is_held ? a : b).words + " now.");
+  return answer("About " + centimetres(distance(a, b)) + " from middle to middle.");
+}
+
+TableGoal TableGoalMaker::extreme_pair(bool is_closest) const {
+  const TableThing* first = nullptr;
+  const TableThing* second = nullptr;
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < things_.size(); ++i)
+    for (std::size_t j = i + 1; j < things_.size(); ++j) {
+      const auto& a = *things_[i];
+      const auto& b = *things_[j];
+      const double key = (is_closest ? 1 : -1) * distance(a, b);
+      if (!a.is_held && !b.is_held && key < best) {
+        best = key;
+        first = &a;
+        second = &b;
+      }
+    }
+  if (first == nullptr)
+    return refusal("That takes two things at least.");
+  return answer(sentence(first->words + " and " + second->words + ": they are about " +
+                         centimetres(std::abs(best)) + " apart"));
+}
+
+/// "How wide is the cylinder compared with the cube?"
+TableGoal TableGoalMaker::how_large(bool is_height) const {
+  std::string result;
+  std::vector<double> sizes;
+  for (const auto* x : things_) {
+    const double size = is_height ? x->height : 2 * x->radius;
+    if (size <= 0)
+      return answer("I do not know how large " + x->words + " is.");
+    sizes.push_back(size);
+    result += (result.empty() ? "" : ", ") + x->words + " is about " + fine_centimetres(size) +
+              (is_height ? " high" : " wide");
+  }
+  constexpr double same = 0.004;
+  if (sizes.size() == 2)
+    result += std::abs(sizes[0] - sizes[1]) < same ? ": that is about the same"
+              : sizes[0] > sizes[1] ? std::string{": it is "} + (is_height ? "higher" : "wider")
+                                    : std::string{": it is "} + (is_height ? "lower" : "narrower");
+  return answer(result.empty() ? "I do not know." : sentence(result));
+}
+
+} // namespace castor::planning

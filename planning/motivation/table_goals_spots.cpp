@@ -1,0 +1,161 @@
+#include "castor/planning/motivation/table_arrangements.hpp"
+#include "castor/planning/motivation/table_goal_maker.hpp"
+#include "castor/planning/motivation/table_spots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+/// Goals with places that are measured, or chosen by what stands where.
+namespace castor::planning {
+
+namespace {
+
+constexpr std::pair<std::string_view, std::string_view> measured_words[] = {
+  {"midway", "half-way between"},
+  {"equidistant", "as far from"},
+  {"in-line", "in line with"},
+  {"other-side", "on the other side of"},
+  {"roomiest", "where there is room"},
+  {"left", "to the left of"},
+  {"right", "to the right of"},
+  {"front", "in front of"},
+  {"back", "behind"},
+  {"near", "away from"}};
+
+std::string centimetres(double metres) {
+  return std::to_string(std::lround(100 * metres)) + " centimetres";
+}
+
+} // namespace
+
+/// \returns why it is impossible
+std::optional<std::string> TableGoalMaker::put_at_spot(const DirectivePlace& place,
+                                                       std::string& where) {
+  if (things_.size() != 1)
+    return "There is room for one thing only.";
+  const auto& x = *things_.front();
+  Things landmarks;
+  for (const auto& proxy : place.landmarks) {
+    landmarks.push_back(thing(proxy));
+    if (landmarks.back() == nullptr)
+      return "I do not see all of that any more.";
+    if (landmarks.back() == &x)
+      return "I cannot put " + x.words + " by itself.";
+    if (landmarks.back()->is_held)
+      return "I hold " + landmarks.back()->words + ". Tell me to put it down first.";
+  }
+  const auto needed = landmarks_needed(place.relation);
+  if (landmarks.size() != needed)
+    return needed == 2
+             ? "That takes two things, but I know of " + std::to_string(landmarks.size()) + '.'
+             : "That can be said of one thing only.";
+  if (place.relation == "other-side" && x.is_held)
+    return "I hold " + x.words + ": tell me where to put it.";
+  std::string words;
+  if (place.distance > 0)
+    words += ' ' + centimetres(place.distance);
+  words += ' ' + std::string{words_for(measured_words, place.relation)};
+  if (!landmarks.empty())
+    words += ' ' + listed(landmarks);
+  if (place.relation == "equidistant")
+    words = " as far from " + landmarks.front()->words + " as from " + landmarks.back()->words;
+  auto spot = measured_spot(place.relation, place.distance, x, landmarks, table_);
+  if (!spot)
+    return "There is no room for " + x.words + words + ".";
+  facts_.push_back("(= (pos " + x.object + ") " + spot->name + ')');
+  spots_.push_back(std::move(*spot));
+  where += words;
+  return std::nullopt;
+}
+
+/// "One ball on each side of the cube."
+TableGoal TableGoalMaker::put_on_both_sides(const DirectivePlace& place) {
+  const auto* middle = place.landmarks.size() == 1 ? thing(place.landmarks.front()) : nullptr;
+  std::erase(things_, middle);
+  if (middle == nullptr || things_.size() != 2)
+    return refusal("I can put two things on both sides of one.");
+  if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
+    return refusal("I hold " + (*held)->words + ". Tell me to put it down first.");
+  spots_ = both_sides(things_, *middle, table_);
+  const auto words = "on both sides of " + middle->words;
+  if (spots_.empty())
+    return refusal("There is no room for them " + words + '.');
+  for (std::size_t i = 0; i < things_.size(); ++i)
+    facts_.push_back("(= (pos " + things_[i]->object + ") " + spots_[i].name + ')');
+  return goal("put " + listed(things_) + ' ' + words, listed(things_) + " are " + words + " now");
+}
+
+/// What nothing is on, and which is itself on something; null unless there is one such thing.
+const TableThing* TableGoalMaker::top_of_stack() const {
+  const TableThing* result = nullptr;
+  for (const auto& x : table_) {
+    const bool is_loaded = std::ranges::any_of(
+      table_, [&](const TableThing& y) { return !y.is_held && y.on == x.object; });
+    if (x.on.empty() || x.is_held || is_loaded)
+      continue;
+    if (result != nullptr)
+      return nullptr;
+    result = &x;
+  }
+  return result;
+}
+
+/// "On top": of what is stacked.
+std::optional<std::string> TableGoalMaker::put_on_top(std::string& where) {
+  const auto* top = top_of_stack();
+  if (top == nullptr)
+    return "I do not know on top of what: tell me on which thing to put it.";
+  DirectivePlace place{"on", {top->proxy}};
+  return put_at_landmarks(place, where);
+}
+
+/// Several things go into one corner: the one nearest to them.
+std::string TableGoalMaker::corner_for_all() const {
+  double x = 0;
+  double y = 0;
+  for (const auto* thing : things_) {
+    x += thing->x;
+    y += thing->y;
+  }
+  return std::string{y < 0 ? "front" : "back"} + (x < 0 ? "-left" : "-right") + "-corner";
+}
+
+/// From that in which the last thing was put.
+std::optional<std::string> TableGoalMaker::put_in_opposite_corner(std::string& where) {
+  const auto last = std::ranges::find_if(table_, &TableThing::is_last_moved);
+  constexpr double corner_width = 0.1;
+  constexpr double corner_depth = 0.08;
+  if (last == table_.end() || last->is_held || std::abs(last->x) < corner_width ||
+      std::abs(last->y) < corner_depth)
+    return "I do not know opposite to which corner: tell me the corner.";
+  const DirectivePlace place{std::string{last->y < 0 ? "back" : "front"} +
+                               (last->x < 0 ? "-right" : "-left") + "-corner",
+                             {}};
+  return put_in_part(place, where);
+}
+
+/// In a row from left to right, by a measure of theirs.
+TableGoal TableGoalMaker::sort_in_row() {
+  constexpr std::string_view down = "-down";
+  const bool is_down = step_.by.ends_with(down);
+  const auto by = is_down ? step_.by.substr(0, step_.by.size() - down.size()) : step_.by;
+  if (things_.size() < 2)
+    return refusal("That takes two things at least.");
+  if (std::ranges::any_of(things_, [](const auto* x) { return x->height <= 0; }))
+    return refusal("I do not know how large all of them are.");
+  std::ranges::stable_sort(things_, {}, [&](const TableThing* x) {
+    const double measure = by == "height"  ? x->height
+                           : by == "width" ? x->radius
+                                           : x->height * x->radius * x->radius;
+    return is_down ? -measure : measure;
+  });
+  auto result = arrange("in-row-as-named");
+  if (result.wish != TableWish::goal)
+    return result;
+  result.words = "sort " + listed(things_) + " by " + by + but_what_is_kept();
+  result.result = sentence(listed(things_) + " are in a row by " + by + " now");
+  return result;
+}
+
+} // namespace castor::planning

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "castor/planning/motivation/table_things.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+/// Places that are measured, where relations as people see them are not exact enough.
+namespace castor::planning {
+
+/// Whether a relation is measured: midway between two things, as far from both, in line with them,
+/// on the other side of one, where there is most room; or any that a distance is said with.
+bool is_measured(std::string_view relation, double distance);
+
+/// Number of landmarks that it takes.
+std::size_t landmarks_needed(std::string_view relation);
+
+/// The spot for a thing, on the table and off what stands there; of several the nearest to where it
+/// is. Nothing if there is no room.
+///
+/// - `midway`: half-way between two things
+/// - `equidistant`: as far from both
+/// - `in-line`: on the line through both
+/// - `other-side`: where it is now, seen from the other side of one thing
+/// - `roomiest`: as far as possible from everything
+/// - `left`, `right`, `front`, `back`, `near`: so that the gap is as wide as said
+///
+/// @param landmarks as many as `landmarks_needed`, of `table`
+std::optional<TableSpot> measured_spot(std::string_view relation, double distance,
+                                       const TableThing& thing,
+                                       const std::vector<const TableThing*>& landmarks,
+                                       std::span<const TableThing> table);
+
+/// Spots for two things on both sides of a third, as far from it: left and right of it, or before
+/// and behind it. Empty if there is no room.
+std::vector<TableSpot> both_sides(const std::vector<const TableThing*>& two,
+                                  const TableThing& middle, std::span<const TableThing> table);
+
+/// Whether a place is on the table at all.
+bool is_on_table(double x, double y);
+
+/// Between the rims of the discs that two things fit in, metres.
+double gap_between(const TableThing& a, const TableThing& b);
+
+} // namespace castor::planning

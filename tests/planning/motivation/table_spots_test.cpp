@@ -1,0 +1,207 @@
+#include "castor/planning/motivation/table_spots.hpp"
+
+#include "castor/planning/motivation/table_goals.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace castor::planning {
+
+namespace {
+
+using communication::DirectiveStep;
+
+TableThing made(const std::string& name, const std::string& shape, double x, double y) {
+  TableThing result{"p/" + name, name, "at-" + name, "the " + name, x, {{"shape", shape}}};
+  result.y = y;
+  result.height = 0.05;
+  return result;
+}
+
+/// A ball on the left, a box on the right, a disc in front and a can at the back.
+std::vector<TableThing> spotted() {
+  std::vector<TableThing> result{made("ball", "sphere", -0.2, 0.0), made("box", "cube", 0.1, 0.0),
+                                 made("disc", "circle", 0.0, -0.12),
+                                 made("can", "cylinder", 0.05, 0.12)};
+  result[0].height = 0.06;
+  result[3].height = 0.09;
+  return result;
+}
+
+TableSpot spot_for(const std::string& relation, const std::vector<std::string>& landmarks,
+                   double distance = 0, const std::string& what = "disc") {
+  const auto goal = goal_of(
+    DirectiveStep{"Put", {"p/" + what}, 0, {{relation, landmarks, distance}}, {}}, spotted());
+  EXPECT_EQ(goal.wish, TableWish::goal) << goal.words;
+  EXPECT_EQ(goal.formula, "(and (= (pos " + what + ") spot-of-" + what + "))");
+  return goal.spots.empty() ? TableSpot{} : goal.spots.front();
+}
+
+std::string words_of(const DirectiveStep& step, const std::vector<TableThing>& things = spotted()) {
+  return goal_of(step, things).words;
+}
+
+} // namespace
+
+TEST(TableSpots, MidwayIsHalfWay) {
+  const auto at = spot_for("midway", {"p/ball", "p/box"});
+  EXPECT_NEAR(at.x, -0.05, 1e-9);
+  EXPECT_NEAR(at.y, 0.0, 1e-9);
+}
+
+TEST(TableSpots, WhatIsTakenIsNoPlaceMidway) {
+  auto things = spotted();
+  things[3].x = -0.05;
+  things[3].y = 0.0;
+  EXPECT_EQ(words_of({"Put", {"p/disc"}, 0, {{"midway", {"p/ball", "p/box"}}}, {}}, things),
+            "There is no room for the disc half-way between the ball and the box.");
+}
+
+TEST(TableSpots, EquidistantIsAsFarFromBoth) {
+  const auto at = spot_for("equidistant", {"p/ball", "p/box"});
+  EXPECT_NEAR(std::hypot(at.x + 0.2, at.y), std::hypot(at.x - 0.1, at.y), 1e-9);
+  // The nearest such place to where it is.
+  EXPECT_LT(at.y, -0.05);
+}
+
+TEST(TableSpots, InLineIsOnTheLineThroughBoth) {
+  EXPECT_NEAR(spot_for("in-line", {"p/ball", "p/box"}).y, 0.0, 1e-9);
+}
+
+TEST(TableSpots, TheOtherSideIsThatAwayFromWhereItIs) {
+  const auto at = spot_for("other-side", {"p/box"}, 0, "ball");
+  EXPECT_GT(at.x, 0.15);
+  EXPECT_NEAR(at.y, 0.0, 1e-9);
+}
+
+TEST(TableSpots, GapsAreAsWideAsSaid) {
+  const auto left = spot_for("left", {"p/box"}, 0.05);
+  EXPECT_NEAR(0.1 - left.x, 0.03 + 0.03 + 0.05, 1e-9);
+  const auto near = spot_for("near", {"p/ball"}, 0.08);
+  EXPECT_NEAR(std::hypot(near.x + 0.2, near.y), 0.14, 1e-9);
+}
+
+TEST(TableSpots, WhereThereIsRoomIsFarFromEverything) {
+  const auto at = spot_for("roomiest", {});
+  for (const auto& x : spotted())
+    if (x.object != "disc") {
+      EXPECT_GT(std::hypot(at.x - x.x, at.y - x.y), 0.15) << x.object;
+    }
+}
+
+TEST(TableSpots, TwoThingsStandOnBothSidesAsFarAway) {
+  const auto goal =
+    goal_of({"Put", {"p/ball", "p/disc"}, 0, {{"both-sides", {"p/box"}}}, {}}, spotted());
+  ASSERT_EQ(goal.spots.size(), 2U) << goal.words;
+  EXPECT_NEAR(goal.spots[0].x + goal.spots[1].x, 0.2, 1e-9);
+  EXPECT_LT(goal.spots[0].x, 0.1);
+  EXPECT_EQ(words_of({"Put", {"p/ball"}, 0, {{"both-sides", {"p/box"}}}, {}}),
+            "I can put two things on both sides of one.");
+}
+
+TEST(TableSpots, NothingIsMovedOffTheTable) {
+  EXPECT_EQ(words_of({"Put", {"p/ball"}, 0, {{"further-left", {}, 0.9}}, {}}),
+            "There the ball would not be on the table any more.");
+}
+
+TEST(TableSpots, OnTopIsOnWhatIsStacked) {
+  auto things = spotted();
+  const DirectiveStep step{"Put", {"p/disc"}, 0, {{"on-top", {}}}, {}};
+  EXPECT_EQ(words_of(step, things),
+            "I do not know on top of what: tell me on which thing to put it.");
+  things[3].on = "box";
+  EXPECT_EQ(goal_of(step, things).formula, "(and (on disc can))");
+}
+
+TEST(TableSpots, SeveralThingsGoIntoOneCorner) {
+  EXPECT_EQ(goal_of({"Put", {"p/ball", "p/disc"}, 0, {{"corner", {}}}, {}}, spotted()).formula,
+            "(and (in-part ball front-left-corner) (in-part disc front-left-corner))");
+}
+
+TEST(TableSpots, TheOppositeCornerIsThatOfWhatWasMovedLast) {
+  auto things = spotted();
+  const DirectiveStep step{"Put", {"p/disc"}, 0, {{"opposite-corner", {}}}, {}};
+  EXPECT_EQ(words_of(step, things), "I do not know opposite to which corner: tell me the corner.");
+  things[0].y = 0.2;
+  things[0].is_last_moved = true;
+  EXPECT_EQ(goal_of(step, things).formula, "(and (in-part disc front-right-corner))");
+}
+
+TEST(TableSpots, WhatIsSortedByHeightStandsInARow) {
+  auto things = spotted();
+  const auto goal = goal_of({"Sort", {"p/ball", "p/box", "p/can"}, 0, {}, "height"}, things);
+  ASSERT_EQ(goal.spots.size(), 3U) << goal.words;
+  EXPECT_EQ(goal.spots[0].name, "spot-of-box");
+  EXPECT_EQ(goal.spots[2].name, "spot-of-can");
+  EXPECT_LT(goal.spots[0].x, goal.spots[1].x);
+  EXPECT_LT(goal.spots[1].x, goal.spots[2].x);
+  const auto down = goal_of({"Sort", {"p/ball", "p/box", "p/can"}, 0, {}, "height-down"}, things);
+  EXPECT_EQ(down.spots[0].name, "spot-of-can");
+}
+
+TEST(TableSpots, ARowAlongAnEdgeIsAtTheEdge) {
+  EXPECT_EQ(
+    goal_of({"Put", {"p/ball", "p/disc"}, 0, {{"in-row", {}}, {"back-edge", {}}}, {}}, spotted())
+      .formula,
+    "(and (in-part ball back-edge) (in-part disc back-edge))");
+}
+
+TEST(TableSpots, WhatWasToBeRememberedIsMadeAgain) {
+  auto things = spotted();
+  const DirectiveStep step{"PutAsNoted", {}, 0, {}, {}};
+  EXPECT_EQ(words_of(step, things),
+            "I was not told to remember how things were. Say 'remember this' for that.");
+  things[0].waypoint_noted = "place-1";
+  things[1].waypoint_noted = "at-box";
+  EXPECT_EQ(goal_of(step, things).formula, "(and (= (pos ball) place-1))");
+  EXPECT_EQ(goal_of({"Note", {}, 0, {}, {}}, things).wish, TableWish::note);
+}
+
+TEST(TableAnswers, DistancesAndSizes) {
+  EXPECT_EQ(words_of({"HowFar", {"p/ball", "p/box"}, 0, {}, {}}),
+            "About 30 centimetres from middle to middle.");
+  EXPECT_EQ(words_of({"HowTall", {"p/can", "p/box"}, 0, {}, {}}),
+            "The can is about 9 centimetres high, the box is about 5 centimetres high: it is "
+            "higher.");
+  EXPECT_EQ(words_of({"HowWide", {"p/ball"}, 0, {}, {}}), "The ball is about 6 centimetres wide.");
+  EXPECT_EQ(words_of({"ClosestPair", {"p/ball", "p/box", "p/can"}, 0, {}, {}}),
+            "The box and the can: they are about 13 centimetres apart.");
+  EXPECT_EQ(words_of({"FarthestPair", {"p/ball", "p/box", "p/can"}, 0, {}, {}}),
+            "The ball and the box: they are about 30 centimetres apart.");
+}
+
+TEST(TableAnswers, WhatWasMovedAndHowFar) {
+  auto things = spotted();
+  EXPECT_EQ(words_of({"LastMoved", {}, 0, {}, {}}, things), "I have moved nothing.");
+  EXPECT_EQ(words_of({"HaveMoved", {"p/ball"}, 0, {}, {}}, things),
+            "No, I have not moved the ball.");
+  things[0].waypoint_before = "place-1";
+  things[0].spot_before = {"place-1", -0.1, 0.0};
+  things[0].is_last_moved = true;
+  EXPECT_EQ(words_of({"LastMoved", {}, 0, {}, {}}, things),
+            "The last thing that I moved is the ball.");
+  EXPECT_EQ(words_of({"HaveMoved", {"p/ball", "p/box"}, 0, {}, {}}, things),
+            "Yes, I have moved the ball, but not the box.");
+  EXPECT_EQ(words_of({"HowFarMoved", {"p/ball", "p/box"}, 1, {}, {}}, things),
+            "I have moved the ball by about 10 centimetres.");
+  EXPECT_EQ(words_of({"HowFarMoved", {"p/box"}, 0, {}, {}}, things), "I have not moved the box.");
+}
+
+TEST(TableAnswers, WhatIsForbidden) {
+  auto things = spotted();
+  EXPECT_EQ(words_of({"WhatKept", {}, 0, {}, {}}, things),
+            "Nothing is forbidden: I may touch everything.");
+  EXPECT_EQ(words_of({"MayTouch", {"p/ball"}, 0, {}, {}}, things), "Yes, I may touch the ball.");
+  things[0].is_kept = true;
+  things[1].is_kept_clear = true;
+  EXPECT_EQ(words_of({"WhatKept", {}, 0, {}, {}}, things),
+            "I am not to touch the ball. I am to put nothing on the box.");
+  EXPECT_EQ(words_of({"MayTouch", {"p/ball", "p/box"}, 0, {}, {}}, things),
+            "No, I was told not to touch the ball.");
+}
+
+} // namespace castor::planning
