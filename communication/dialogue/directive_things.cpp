@@ -129,6 +129,13 @@ std::optional<std::string> DirectiveThings::named_before(const Nominal& phrase) 
   return named.size() == 1 ? std::optional{*named.begin()} : std::nullopt;
 }
 
+Things DirectiveThings::as_thing(const Nominal& phrase) {
+  auto form = form_;
+  auto& thing = *find_nominal(form, phrase.name);
+  thing.proposition = "thing";
+  return Evaluation{form, antecedents_, scene_}.meant(thing);
+}
+
 MeantThings DirectiveThings::things_named(const Nominal& phrase) {
   if (auto before = of_step_before(phrase))
     return *before;
@@ -144,6 +151,9 @@ MeantThings DirectiveThings::things_named(const Nominal& phrase) {
     return {all_but(scene_.things(), last_->things), 0};
   if (!is_definite_phrase(phrase))
     return indefinite(phrase);
+  // "Leave the balls alone, and put the rest at the back."
+  if (is_plural(phrase) && is_others && !antecedents_.contains(phrase.name) && last_)
+    return {all_but(scene_.things(), last_->things), 0};
   if (is_plural(phrase) && is_others && !antecedents_.contains(phrase.name) &&
       scene_.open_questions().empty())
     throw Uninterpretable{Reason::ambiguous, phrase.name};
@@ -151,6 +161,10 @@ MeantThings DirectiveThings::things_named(const Nominal& phrase) {
   try {
     meant = evaluation_.meant(phrase);
   } catch (const Uninterpretable& e) {
+    // "Put the cube on the yellow one": on the yellow thing, if no cube is yellow.
+    if (e.reason == Reason::nothing_like && e.what == phrase.name &&
+        feature(phrase, "Called") == "one")
+      return {as_thing(phrase), 0};
     const auto named = is_plural(phrase) || is_pronoun(phrase) || is_others ||
                            e.reason != Reason::ambiguous || e.what != phrase.name
                          ? std::nullopt

@@ -59,6 +59,7 @@ private:
   const Vocabulary& vocabulary() const { return scene_.vocabulary(); }
 
   MeantThings things_named(const Nominal& phrase);
+  Things as_thing(const Nominal& phrase);
   std::optional<std::string> named_before(const Nominal& phrase);
   Things only_other_before(const Nominal& pronoun, const Things& patients);
   Things nearest_of(const MeantThings& all, const Things& patients) const;

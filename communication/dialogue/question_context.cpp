@@ -173,6 +173,8 @@ void QuestionContext::replace_one(LogicalForm& form) const {
                            is_plural(x) && is_about_others(form, x);
     if (vocabulary_->is_general(noun) || is_unique)
       continue;
+    if (!noun.empty() && root->sort == "action")
+      x.features.push_back({"Called", "one"});
     if (!noun.empty())
       x.proposition = noun;
     else if (const auto next = noun_asked_next(form, x); !next.empty())

@@ -107,6 +107,11 @@ LogicalForm Responder::described(LogicalForm said) {
 Response Responder::to(const Uninterpretable& why) const {
   using Reason = Uninterpretable::Reason;
   const auto* phrase = find_nominal(form_, why.what);
+  // "Can you throw the ball?", whichever it is.
+  if (why.reason == Reason::ambiguous && root().sort == "action" &&
+      !is_handling(form_, vocabulary().meanings()) &&
+      vocabulary().meanings().replies.contains("deeds"))
+    return cannot_do_that();
   // "If the ball is on the left, take it."
   if (why.reason == Reason::not_so)
     return {RhetoricalRelation::answer, {}, "That is not so, so I do nothing.", {}};
