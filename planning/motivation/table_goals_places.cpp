@@ -127,10 +127,15 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
   const auto words = words_for(part_words, place.relation);
   if (words.empty())
     return "I do not know where that is: tell me a part of the table, or a thing that is there.";
+  // There is room in a corner for one thing: the others are beside it.
   const bool is_one_corner = place.relation == "corner" && things_.size() > 1;
   const auto part = is_one_corner ? corner_for_all() : place.relation;
   for (const auto* x : things_)
-    facts_.push_back(in_part(*x, part));
+    if (is_one_corner && x != things_.front()) {
+      facts_.push_back("(near " + x->object + ' ' + things_.front()->object + ')');
+      ++places_;
+    } else
+      facts_.push_back(in_part(*x, part));
   where += ' ' + std::string{words_for(part_words, part)};
   return std::nullopt;
 }

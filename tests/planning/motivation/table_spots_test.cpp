@@ -119,7 +119,7 @@ TEST(TableSpots, OnTopIsOnWhatIsStacked) {
 
 TEST(TableSpots, SeveralThingsGoIntoOneCorner) {
   EXPECT_EQ(goal_of({"Put", {"p/ball", "p/disc"}, 0, {{"corner", {}}}, {}}, spotted()).formula,
-            "(and (in-part ball front-left-corner) (in-part disc front-left-corner))");
+            "(and (in-part ball front-left-corner) (near disc ball))");
 }
 
 TEST(TableSpots, TheOppositeCornerIsThatOfWhatWasMovedLast) {
