@@ -168,6 +168,7 @@ TEST(TableAnswers, DistancesAndSizes) {
             "The can is about 9 centimetres high, the box is about 5 centimetres high: it is "
             "higher.");
   EXPECT_EQ(words_of({"HowWide", {"p/ball"}, 0, {}, {}}), "The ball is about 6 centimetres wide.");
+  EXPECT_EQ(words_of({"HowWide", {"p/box"}, 0, {}, {}}), "The box is about 5 centimetres wide.");
   EXPECT_EQ(words_of({"ClosestPair", {"p/ball", "p/box", "p/can"}, 0, {}, {}}),
             "The box and the can: they are about 13 centimetres apart.");
   EXPECT_EQ(words_of({"FarthestPair", {"p/ball", "p/box", "p/can"}, 0, {}, {}}),
