@@ -23,15 +23,7 @@ using TickAtom = caf::atom_constant<caf::atom("tick")>;
 using LeaseAtom = caf::atom_constant<caf::atom("lease")>;
 
 constexpr std::chrono::milliseconds period{250};
-/// The keeper looks at whole ones, as the links of all processes of a machine do, so that the
-/// machine has to wake up only once for them.
 constexpr std::chrono::milliseconds resting_period{2000};
-
-/// Time until the next whole `step` of the clock.
-ComponentRecord::Clock::duration until_whole(ComponentRecord::Clock::duration step,
-                                             ComponentRecord::Clock::time_point now) {
-  return step - now.time_since_epoch() % step;
-}
 constexpr std::chrono::seconds patience{5};
 
 /// Renews what one component holds, and tells it what it has lost.
@@ -142,7 +134,7 @@ private:
       give_back_memory();
     rest_->begin();
     // A lease that comes from here on ends the rest.
-    schedule(is_anything_to_watch(now) ? period : until_whole(longest_rest(), now));
+    schedule(is_anything_to_watch(now) ? period : longest_rest());
   }
 
   void report(const Overrun& x) {
