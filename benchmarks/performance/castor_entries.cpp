@@ -25,8 +25,9 @@ class Hoarder final : public UnmanagedComponent {
     print_figure("bytes", memory_of_entry());
     measure("read", count, [&](std::size_t i) { read<Payload>(address(i)); });
     measure("delete", count, [&](std::size_t i) { delete_entry(address(i)); });
-    // What the system gets back, it gets when few entries have been deleted for a second.
-    sleep_for(std::chrono::seconds{3});
+    // What the system gets back, it gets when few entries have been deleted between two looks of the
+    // keeper, which are up to two seconds apart.
+    sleep_for(std::chrono::seconds{6});
     print_figure("left", memory_of_entry());
     end_system(0, "done");
   }
