@@ -276,7 +276,7 @@ private:
       const auto is_end = [&](const auto& id) {
         return (std::ranges::find(ends, id) != ends.end()) == (bottom != nullptr);
       };
-      std::ranges::stable_partition(meant.things, is_end);
+      std::stable_partition(meant.things.begin(), meant.things.end(), is_end);
     }
     return meant;
   }
