@@ -12,9 +12,6 @@ namespace castor::planning {
 
 namespace {
 
-/// Between two things, so that fingers fit between them; metres.
-constexpr double least_gap = 0.035;
-
 /// Where an arm at the table reaches, from its middle; metres.
 constexpr double half_width = 0.26;
 constexpr double half_depth = 0.16;
@@ -35,7 +32,7 @@ double spacing(const Things& things) {
   double radius = 0;
   for (const auto* x : things)
     radius = std::max(radius, x->radius);
-  return 2 * radius + least_gap;
+  return 2 * radius + finger_gap;
 }
 
 Offset middle_of(const Things& things) {
@@ -112,7 +109,7 @@ bool has_room(const Offset& middle, const Offsets& offsets, const Things& things
       return false;
     for (const auto& other : table)
       if (&other != things[i] && !other.is_held &&
-          std::hypot(other.x - x, other.y - y) < other.radius + things[i]->radius + least_gap)
+          std::hypot(other.x - x, other.y - y) < other.radius + things[i]->radius + finger_gap)
         return false;
   }
   return true;

@@ -22,9 +22,6 @@ constexpr double half_depth = 0.26;
 constexpr double reach_width = 0.26;
 constexpr double reach_depth = 0.18;
 
-/// Fingers fit into such a gap, metres.
-constexpr double finger_gap = 0.035;
-
 /// What stands turned is wider than its disc, metres.
 constexpr double narrow_gap = 0.01;
 

@@ -17,6 +17,9 @@ struct TableSpot {
   friend bool operator==(const TableSpot&, const TableSpot&) = default;
 };
 
+/// Fingers fit into such a gap between two things, metres.
+inline constexpr double finger_gap = 0.035;
+
 /// Something on the table that requests are about.
 struct TableThing {
   /// The proxy by which requests refer to it.
