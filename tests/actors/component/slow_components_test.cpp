@@ -323,7 +323,7 @@ TEST_F(SlowComponentsOfASystem, AreNotTheOnlyOnesWhoMayFallBehind) {
 }
 
 TEST_F(SlowComponentsOfASystem, AnOutsideObserverThatKeepsUpMissesNothing) {
-  constexpr int rounds = 3;
+  constexpr int rounds = 2;
   constexpr int flood = static_cast<int>(standard_queue_limit) - 1000;
   Story story;
   std::atomic<int> told{0};
