@@ -353,7 +353,7 @@ void LinkEnd::send(LinkMessage x) {
       if (introduced_types_.insert(type->hash).second)
         unknown.push_back(std::move(type));
     if (!unknown.empty())
-      session_.send({parts_.mesh->introduction(unknown)});
+      session_.send({.head = parts_.mesh->introduction(unknown), .comes_first = true});
     session_.send(std::move(x.message));
     LinkRecord::add(record_->messages_out, 1);
     if (connection_ && loses_next())

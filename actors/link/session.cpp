@@ -201,6 +201,10 @@ void LinkSession::send(OutgoingMessage message) {
   x->begin = std::move(message.head);
   x->begin.insert(x->begin.begin(), lengths.begin(), lengths.end());
   x->size += x->begin.size();
+  if (message.comes_first) {
+    first_.push_back(std::move(x));
+    return;
+  }
   auto lane = std::find_if(long_.begin(), long_.end(),
                            [&](auto& y) { return message.lane != 0 && y.lane == message.lane; });
   if (lane == long_.end() && x->size <= limits_.chunk) {
@@ -220,6 +224,12 @@ LinkSession::Part LinkSession::cut(const MessagePtr& message) const {
 }
 
 bool LinkSession::next_part(Part& part) {
+  if (!first_.empty()) {
+    part = cut(first_.front());
+    if (part.message->cut == part.message->size)
+      first_.pop_front();
+    return true;
+  }
   // Short messages pass long ones, but do not hold them up for ever.
   if (!short_.empty() && (long_.empty() || short_run_ < limits_.chunk)) {
     part = cut(short_.front());

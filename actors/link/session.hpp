@@ -35,6 +35,8 @@ struct OutgoingMessage {
   Lane lane = 0;
   /// Called once the peer has the whole message.
   std::function<void()> arrived = {};
+  /// Passes everything that waits: later messages cannot be read without it.
+  bool comes_first = false;
 };
 
 /// The same at the other end.
@@ -126,7 +128,7 @@ public:
   std::size_t unacknowledged() const { return unacknowledged_; }
 
   /// Messages that have not been written completely.
-  std::size_t waiting() const { return short_.size() + long_messages_; }
+  std::size_t waiting() const { return first_.size() + short_.size() + long_messages_; }
 
 private:
   struct Message;
@@ -161,6 +163,7 @@ private:
 
   // -- out
   std::uint32_t last_number_ = 0;
+  std::deque<MessagePtr> first_;
   std::deque<MessagePtr> short_;
   std::list<LongLane> long_;
   std::size_t long_messages_ = 0;

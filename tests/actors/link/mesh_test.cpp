@@ -32,6 +32,11 @@ struct Box {
 };
 CASTOR_REFLECT(Box, label, pixels)
 
+struct Crate {
+  Bytes pixels;
+};
+CASTOR_REFLECT(Crate, pixels)
+
 namespace {
 
 using namespace std::chrono_literals;
@@ -200,6 +205,29 @@ TEST_F(TwoProcesses, NothingIsLostWithAConnection) {
       [&](const ChangeNotice& x) { EXPECT_EQ(x.event->address.id, std::to_string(i)); });
   EXPECT_GT(run.ups, 5);
   EXPECT_FALSE(run.lost);
+}
+
+TEST_F(TwoProcesses, ALargeValueOfANewTypeIsReadHoweverMuchWaitsBeforeIt) {
+  add("x", {});
+  relay->freeze(true);
+  const int waiting = 10'000;
+  for (int i = 0; i < waiting; ++i) {
+    WriteRequest x;
+    x.address = {"vision", std::to_string(i)};
+    x.value = Value::of(Box{"", Bytes(1000)});
+    x.client = client;
+    self->send(remote, x);
+  }
+  WriteRequest large;
+  large.address = {"vision", "large"};
+  large.value = Value::of(Crate{Bytes(200'000)});
+  large.client = client;
+  caf::scoped_actor other{run.system};
+  auto answer = other->request(remote, 20s, large);
+  relay->freeze(false);
+  answer.receive([](const Outcome<Version>& x) { EXPECT_TRUE(x); },
+                 [&](const caf::error& e) { ADD_FAILURE() << run.system.render(e); });
+  EXPECT_TRUE(read(std::to_string(waiting - 1)));
 }
 
 TEST_F(TwoProcesses, TheEndOfAnActorIsNoticed) {

@@ -88,6 +88,23 @@ TEST(LinkSession, MessagesOfOneLaneKeepTheirOrder) {
   EXPECT_THAT(heads(b, everything(a)), ElementsAre("other", "long", "short"));
 }
 
+TEST(LinkSession, WhatOthersNeedComesFirst) {
+  LinkSession a;
+  LinkSession b;
+  a.send({bytes("long"), {picture(100'000)}, 7});
+  for (int i = 0; i < 1000; ++i)
+    a.send({Bytes(1000, 'x')});
+  a.send({.head = bytes("small"), .comes_first = true});
+  a.send({.head = Bytes(200'000, 'y'), .comes_first = true});
+  a.send({bytes("other"), {}, 7});
+  EXPECT_EQ(a.waiting(), 1004u);
+  auto order = heads(b, everything(a));
+  ASSERT_EQ(order.size(), 1004u);
+  EXPECT_EQ(order[0], "small");
+  EXPECT_EQ(order[1], std::string(200'000, 'y'));
+  EXPECT_EQ(a.waiting(), 0u);
+}
+
 TEST(LinkSession, LongMessagesTakeTurns) {
   LinkSession a;
   LinkSession b;
