@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -52,6 +53,8 @@ class SimulatedArm final : public StandaloneComponent {
     const auto start = arm_posture(arm.arm, start_);
     stuck_joint_ = joint_named(arm.arm);
     body_ = std::make_shared<ArmBody>(std::move(arm.arm), things_->world(), start, options);
+    if (const auto folder = std::filesystem::path{state_file_.get()}.parent_path(); !folder.empty())
+      std::filesystem::create_directories(folder);
     state_steps_ = state_period_.get() / step_;
     if (state_steps_ < 1)
       throw std::invalid_argument("--state-period is less than 10 ms, the step of the simulation");

@@ -52,6 +52,18 @@ INSTANTIATE_TEST_SUITE_P(
     Variant{"explorer.cast", {"localisation=map", "map=some.yaml", "drive=goals"}},
     Variant{"explorer.cast", {"front=a", "maps=b", "journal=full"}},
     Variant{"playmate.cast", {}}, Variant{"playmate.cast", {"typed=true"}},
+    Variant{"playmate.cast", {"arm=true"}}, Variant{"playmate-arm.cast", {}},
+    Variant{"playmate-arm.cast", {"hand=a", "sight=b", "mind=c", "journal=full"}},
     Variant{"vision.cast", {}}, Variant{"vision-three-nodes.cast", {}}));
+
+/// What survives with journals would meet a table that has begun anew.
+TEST(ShippedPlaymate, SavesTheTableWhereItKeepsJournals) {
+  for (std::string journal : {"off", "batched", "full"}) {
+    Process process{{CASTOR_EXECUTABLE, "check", CASTOR_CONFIGS "/playmate-arm.cast", "--json",
+                     "--set", "journal=" + journal}};
+    ASSERT_EQ(process.wait(), 0) << process.errors();
+    EXPECT_EQ(process.output().find("journals/arm.state") != std::string::npos, journal != "off");
+  }
+}
 
 } // namespace castor::test
