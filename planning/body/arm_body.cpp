@@ -80,6 +80,7 @@ void ArmBody::command(const ArmCommand& command, std::chrono::microseconds holds
   if (command.motion != motion_) {
     fault_.clear();
     fault_joint_.clear();
+    brakes_ = false;
     motion_ = command.motion;
     pushed_.clear();
   }
@@ -125,7 +126,8 @@ void ArmBody::move_joints(double seconds) {
   double largest = 0;
   for (std::size_t i = 0; i < next.size(); ++i) {
     const auto& joint = arm_.joints[moving[i]];
-    double speed = (after[i] - before[i]) / seconds + catch_up * (before[i] - positions_[i]);
+    double speed =
+      brakes_ ? 0 : (after[i] - before[i]) / seconds + catch_up * (before[i] - positions_[i]);
     speed = std::clamp(speed, -joint.speed, joint.speed);
     const double change = joint.acceleration * seconds;
     speed = std::clamp(speed, speeds_[i] - change, speeds_[i] + change);
@@ -137,10 +139,14 @@ void ArmBody::move_joints(double seconds) {
     if (fault_.empty() && std::abs(after[i] - next[i]) > options_.most_lag) {
       fault_joint_ = joint.name;
       stop("the joint " + joint.name + " does not follow");
+      brakes_ = true;
     }
   }
-  if (largest <= 0)
+  if (largest <= 0) {
+    if (std::exchange(brakes_, false))
+      reference_.stay(positions_);
     return;
+  }
   if (const auto contact = contact_at(next)) {
     stop_at_contact(*contact);
     return;
@@ -296,6 +302,7 @@ void ArmBody::stop_at_contact(const Contact& contact) {
     collision_ = text;
   }
   stop(text);
+  brakes_ = false;
   reference_.stay(positions_);
 }
 

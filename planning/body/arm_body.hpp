@@ -21,8 +21,8 @@ struct ArmBodyOptions {
   std::chrono::microseconds step{10'000};
   /// Seconds from full speed to rest.
   double stop_time = 0.8;
-  /// A joint that is further from where it ought to be does not follow: the arm stops; radians.
-  double most_lag = 0.1;
+  /// A joint that is further from where it ought to be does not follow: all brake; radians.
+  double most_lag = 0.05;
   /// Of injected faults.
   std::uint64_t seed = 1;
   /// Probability that fingers slip off a thing when they close on it.
@@ -134,6 +134,8 @@ private:
   std::string fault_;
   std::string fault_joint_;
   std::int64_t motion_ = 0;
+  /// Each joint comes to rest as fast as it can, since one of them does not follow the motion.
+  bool brakes_ = false;
   std::optional<std::size_t> stuck_;
   std::mt19937_64 random_;
   /// Thing that the fingers have slipped off; they do not touch it before they open.

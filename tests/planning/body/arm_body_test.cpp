@@ -111,6 +111,50 @@ TEST(ArmBody, SaysThatAJointDoesNotFollow) {
   EXPECT_EQ(body.configuration()[0], aside()[0]);
 }
 
+TEST(ArmBody, BrakesAllJointsAtOnceWhenOneDoesNotFollow) {
+  const auto arm = katana();
+  const auto moving = moving_joints(arm);
+  for (std::size_t stuck = 0; stuck < moving.size(); ++stuck)
+    for (int after = 10; after < 150; after += 10) {
+      ArmBody body(arm, table_with({}), aside());
+      const auto stage =
+        motion(arm, aside(), {-90 * degree, 20 * degree, 60 * degree, 60 * degree, 1.0});
+      LimitCheck check(body);
+      const auto go_on = [&] {
+        auto command = motion_window(stage.trajectory, 1, body.state().motion_time);
+        command.opening = 0.1;
+        body.command(command, 300ms);
+        body.step();
+      };
+      for (int i = 0; i < after; ++i) {
+        go_on();
+        check();
+      }
+      body.stick(stuck);
+      for (int i = 0; i < 300 && body.state().fault.empty(); ++i)
+        go_on();
+      if (body.state().fault.empty())
+        // The joint had nothing to do any more.
+        continue;
+      const auto from = body.state();
+      double longest = 0;
+      for (std::size_t i = 0; i < moving.size(); ++i)
+        longest = std::max(longest, std::abs(from.speeds[i]) / arm.joints[moving[i]].acceleration);
+      int steps = 0;
+      while (!body.state().rests && steps < 200) {
+        body.step();
+        ++steps;
+      }
+      EXPECT_LE(steps, longest / 0.01 + 30) << "joint " << stuck << " after " << after;
+      for (std::size_t i = 0; i < moving.size(); ++i) {
+        const double speed = from.speeds[i];
+        const double way = speed * std::abs(speed) / (2 * arm.joints[moving[i]].acceleration);
+        EXPECT_NEAR(body.configuration()[i], from.positions[i] + way, 0.03)
+          << "joint " << i << " when " << stuck << " sticks after " << after;
+      }
+    }
+}
+
 TEST(ArmBody, CannotBeginInContact) {
   EXPECT_THROW(ArmBody(katana(), table_with({}), {0, 1.6, 1.0, 0, 0}), std::invalid_argument);
   EXPECT_THROW(ArmBody(katana(), table_with({}), {0, 0, 9, 0, 0}), std::invalid_argument);
