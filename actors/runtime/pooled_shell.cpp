@@ -91,7 +91,8 @@ bool PooledShell::live_on() {
   faults_.at_runtime();
   if (life_.has_started())
     check_working_memory();
-  open_.expire(Clock::now());
+  if (!open_.is_empty())
+    open_.expire(Clock::now());
   if (open_.has_done()) {
     call_back();
     return true;
