@@ -1,5 +1,7 @@
 #include "castor/base/doorbell.hpp"
 
+#include "castor/base/ring_batch_end.hpp"
+
 #include <linux/futex.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -15,6 +17,9 @@ namespace castor {
 namespace {
 
 thread_local RingBatch* batch = nullptr;
+
+/// Who is to be called at the end of the batch, and how.
+thread_local std::vector<std::pair<std::shared_ptr<void>, void (*)(void*)>> at_end;
 
 /// @param until null for ever
 long futex(std::atomic<std::uint32_t>& word, int operation, std::uint32_t value,
@@ -78,6 +83,14 @@ bool Doorbell::sleep(std::uint32_t seen, Clock::time_point until) {
   return futex(rings_, FUTEX_WAIT_BITSET, seen, &time) == 0 || errno != ETIMEDOUT;
 }
 
+bool at_end_of_ring_batch(const std::shared_ptr<void>& who, void (*wake)(void* who)) {
+  if (!batch)
+    return false;
+  if (std::ranges::none_of(at_end, [&](auto& x) { return x.first == who; }))
+    at_end.emplace_back(who, wake);
+  return true;
+}
+
 RingBatch::RingBatch() : is_outermost_(batch == nullptr) {
   if (is_outermost_)
     batch = this;
@@ -87,6 +100,9 @@ RingBatch::~RingBatch() {
   if (!is_outermost_)
     return;
   batch = nullptr;
+  for (auto& [who, wake] : at_end)
+    wake(who.get());
+  at_end.clear();
   static const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1U);
   auto chains = std::min(bells_.size(), processors);
   for (std::size_t i = 0; i < chains; ++i) {

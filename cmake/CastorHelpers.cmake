@@ -118,6 +118,7 @@ function(castor_library name)
   add_library(${target} SHARED ${ARG_SOURCES} ${objects})
   add_library(castor::${name} ALIAS ${target})
   set_property(TARGET ${target} PROPERTY CASTOR_LIBRARY_MODULES "${ARG_MODULES}")
+  castor_note_component_classes(${target} ${ARG_SOURCES})
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
@@ -146,6 +147,32 @@ function(castor_library name)
   install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/castor/${folder}" COMPONENT dev
     FILES_MATCHING PATTERN "*.hpp")
+endfunction()
+
+# castor_note_component_classes(<target> <file>...)
+#
+# Notes which component classes the sources of a library register.
+function(castor_note_component_classes target)
+  foreach(source IN LISTS ARGN)
+    get_filename_component(path "${source}" ABSOLUTE)
+    if(NOT EXISTS "${path}")
+      continue()
+    endif()
+    file(READ "${path}" text)
+    string(REGEX MATCHALL "\nCASTOR_COMPONENT\\([A-Za-z0-9_]+" matches "${text}")
+    foreach(match IN LISTS matches)
+      string(REGEX REPLACE ".*\\(" "" class "${match}")
+      set_property(GLOBAL APPEND_STRING PROPERTY CASTOR_COMPONENT_CLASSES "{\"${class}\", \"${target}\"},\n")
+    endforeach()
+  endforeach()
+endfunction()
+
+# castor_write_component_classes(<file>)
+#
+# Writes what castor_note_component_classes has noted, as the inside of an array of pairs.
+function(castor_write_component_classes file)
+  get_property(classes GLOBAL PROPERTY CASTOR_COMPONENT_CLASSES)
+  file(CONFIGURE OUTPUT "${file}" CONTENT "${classes}" @ONLY)
 endfunction()
 
 # castor_executable(<target> SOURCES <file>... [DEPENDS <target>...])

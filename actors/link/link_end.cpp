@@ -334,13 +334,19 @@ void LinkEnd::read_hello() {
 }
 
 void LinkEnd::read(std::span<const std::uint8_t> bytes) {
+  const auto peer_awaited = session_.peer_awaits();
   session_.receive(bytes, [this](IncomingMessage x) {
     wake(last_input_);
     LinkRecord::add(record_->messages_in, 1);
     parts_.mesh->receive(parts_.peer, std::move(x), driver_.context());
   });
   if (!session_.goodbye().empty())
-    lost(session_.goodbye());
+    return lost(session_.goodbye());
+  // It relies on what was announced before until it hears something else.
+  if (session_.peer_awaits() && !peer_awaited && !is_awake(last_input_)) {
+    announce(last_input_);
+    schedule_tick(last_input_, rest(last_input_));
+  }
 }
 
 void LinkEnd::send(LinkMessage x) {
@@ -391,8 +397,25 @@ void LinkEnd::wake(Clock::time_point now) {
 
 /// By that of a process, the coordinator notices its loss. The coordinator's own loss is noticed by
 /// whoever wants something of it, which wakes the link.
-LinkEnd::Milliseconds LinkEnd::resting_heartbeat() const {
-  return parts_.peer == 0 ? parts_.options.silence / 2 : parts_.options.resting_heartbeat;
+LinkEnd::Milliseconds LinkEnd::resting_heartbeat(bool awaits) const {
+  auto& options = parts_.options;
+  if (parts_.peer == 0)
+    return options.silence / 2;
+  bool is_heard_often = awaits || session_.peer_awaits() || parts_.mesh->self() == 0;
+  return is_heard_often ? options.awaiting_heartbeat : options.resting_heartbeat;
+}
+
+bool LinkEnd::awaits() const {
+  return parts_.mesh->awaits(parts_.peer);
+}
+
+void LinkEnd::announce(Clock::time_point now) {
+  const auto& heartbeat = parts_.options.heartbeat;
+  const auto awaited = awaits();
+  const auto next = resting_heartbeat(awaited);
+  session_.announce(next + heartbeat, awaited);
+  flush();
+  next_announcement_ = now + next - heartbeat;
 }
 
 /// Until a heartbeat is due, or the peer's should have come.
@@ -444,11 +467,8 @@ void LinkEnd::tick() {
     if (misses_peer(now)) {
       disconnected("no sign of life");
     } else if (greeted_ && !awake) {
-      if (now >= next_announcement_) {
-        session_.announce(resting_heartbeat() + options.heartbeat);
-        flush();
-        next_announcement_ = now + resting_heartbeat() - options.heartbeat;
-      }
+      if (now >= next_announcement_)
+        announce(now);
     } else if (greeted_ && !std::exchange(wrote_since_tick_, false)) {
       session_.remind(options.heartbeat);
       flush();

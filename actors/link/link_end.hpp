@@ -120,7 +120,11 @@ private:
   bool is_awake(Clock::time_point now) const;
   /// A message passes.
   void wake(Clock::time_point now);
-  Milliseconds resting_heartbeat() const;
+  /// Whether this process awaits an answer of the peer.
+  bool awaits() const;
+  Milliseconds resting_heartbeat(bool awaits) const;
+  /// Says when the peer will hear of this end again, which rests.
+  void announce(Clock::time_point now);
   Milliseconds rest(Clock::time_point now) const;
   Milliseconds patience_at_rest() const;
   void tick();

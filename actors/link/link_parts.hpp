@@ -19,9 +19,12 @@ struct LinkOptions {
   std::chrono::milliseconds heartbeat{100};
   /// Time without a message after which the link rests.
   std::chrono::milliseconds rest_after{2000};
-  /// Longest time between two writes of a link that rests. Of those of a process to the coordinator,
-  /// process 0, which notices the loss of a process by them, it is half of the silence.
-  std::chrono::milliseconds resting_heartbeat{5000};
+  /// Longest time between two writes of a link that rests. Of those of a process to the
+  /// coordinator, process 0, which notices the loss of a process by them, it is half of the
+  /// silence.
+  std::chrono::milliseconds resting_heartbeat{20'000};
+  /// The same while one of both sides awaits an answer, and from the coordinator.
+  std::chrono::milliseconds awaiting_heartbeat{5000};
   /// Time without input that should have come after which the connection is closed and made anew.
   std::chrono::milliseconds silence{1000};
   /// Time without a connection after which the peer is lost.

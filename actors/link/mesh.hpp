@@ -56,6 +56,9 @@ public:
   /// Injects a fault into the link to a process.
   void inject(ProcessNumber peer, const LinkFault& x);
 
+  /// Whether a local actor awaits the answer to a request to one of that process.
+  bool awaits(ProcessNumber process) const { return requests_->awaits(process); }
+
   /// Of all links there ever were, in the order of their peers.
   std::vector<LinkStatus> links() const;
 

@@ -2,6 +2,8 @@
 
 #include <caf/detail/sync_request_bouncer.hpp>
 
+#include <algorithm>
+
 namespace castor {
 
 void reply_receiver_down(const caf::strong_actor_ptr& sender, caf::message_id id) {
@@ -24,6 +26,11 @@ bool OpenRequests::add(ProcessNumber to, const caf::strong_actor_ptr& sender, ca
 void OpenRequests::remove(const caf::strong_actor_ptr& sender, caf::message_id response) {
   std::lock_guard guard{mutex_};
   requests_.erase({sender->id(), response.integer_value()});
+}
+
+bool OpenRequests::awaits(ProcessNumber x) const {
+  std::lock_guard guard{mutex_};
+  return std::ranges::any_of(requests_, [&](auto& entry) { return entry.second.to == x; });
 }
 
 std::vector<OpenRequests::Request> OpenRequests::remove_process(ProcessNumber x) {

@@ -35,6 +35,9 @@ public:
   /// The request was answered; nothing happens if it is not known.
   void remove(const caf::strong_actor_ptr& sender, caf::message_id response);
 
+  /// Whether a process has not answered all.
+  bool awaits(ProcessNumber x) const;
+
   /// The process is lost; returns the requests that it will not answer.
   std::vector<Request> remove_process(ProcessNumber x);
 
@@ -44,7 +47,7 @@ private:
     ProcessNumber to = 0;
   };
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::set<ProcessNumber> processes_;
   /// By the sender, and the id of the response.
   std::map<std::pair<caf::actor_id, std::uint64_t>, Entry> requests_;

@@ -291,8 +291,9 @@ void LinkSession::produce(std::vector<char>& out, std::size_t at_most) {
     reminded_ = false;
   }
   if (std::exchange(reminded_, false) || announced_) {
-    put_header(out, FrameKind::ping, sizeof(std::uint32_t));
+    put_header(out, FrameKind::ping, sizeof(std::uint32_t) + 1);
     put(out, static_cast<std::uint32_t>(promised_.count()));
+    put(out, static_cast<std::uint8_t>(awaits_));
     announced_ = false;
   }
   if (!goodbye_.empty()) {
@@ -329,6 +330,7 @@ void LinkSession::resume(std::uint64_t received_by_peer) {
   rewritten_ = 0;
   input_.clear();
   peer_promise_ = {};
+  peer_awaits_ = false;
   acknowledged_to_peer_ = received_;
   received_since_ = 0;
 }
@@ -367,6 +369,7 @@ void LinkSession::take_frame(std::span<const std::uint8_t> frame,
       break;
     case FrameKind::ping:
       peer_promise_ = std::chrono::milliseconds{take<std::uint32_t>(frame)};
+      peer_awaits_ = take<std::uint8_t>(frame) != 0;
       break;
     case FrameKind::goodbye:
       peer_goodbye_.assign(frame.begin(), frame.end());

@@ -104,16 +104,21 @@ public:
   void remind(std::chrono::milliseconds next) {
     reminded_ = true;
     promised_ = next;
+    awaits_ = false;
   }
 
-  /// As `remind`, but a ping is written in any case.
-  void announce(std::chrono::milliseconds next) {
+  /// As `remind`, but a ping is written in any case. It also says whether this side awaits an
+  /// answer, so that the peer's signs of life should come as often.
+  void announce(std::chrono::milliseconds next, bool awaits) {
     remind(next);
     announced_ = true;
+    awaits_ = awaits;
   }
 
   /// What the peer's last ping said; 0 without one since the connection was made.
   std::chrono::milliseconds peer_promise() const { return peer_promise_; }
+  /// Whether the peer awaited an answer then.
+  bool peer_awaits() const { return peer_awaits_; }
 
   /// Ends the session once `produce` was called.
   void say_goodbye(std::string reason) { goodbye_ = std::move(reason); }
@@ -178,6 +183,7 @@ private:
   bool reminded_ = false;
   bool announced_ = false;
   std::chrono::milliseconds promised_{0};
+  bool awaits_ = false;
   std::string goodbye_;
 
   // -- in
@@ -187,6 +193,7 @@ private:
   std::uint64_t acknowledged_to_peer_ = 0;
   std::size_t received_since_ = 0;
   std::chrono::milliseconds peer_promise_{0};
+  bool peer_awaits_ = false;
   std::string peer_goodbye_;
 };
 

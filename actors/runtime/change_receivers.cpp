@@ -42,6 +42,8 @@ ChangeReceivers::of(const std::vector<FilterId>& filters) const {
 }
 
 bool ChangeReceivers::call_listeners(ChangeNotice& notice) const {
+  if (listeners_.empty())
+    return false;
   auto called = std::erase_if(notice.filters, [&](FilterId id) {
     auto listener = listeners_.find(id);
     if (listener == listeners_.end())

@@ -1,6 +1,7 @@
 #include "castor/actors/runtime/component_pool.hpp"
 
 #include "castor/actors/runtime/crash_report.hpp"
+#include "castor/base/ring_batch_end.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -40,10 +41,17 @@ void ComponentPool::schedule(PoolMember& x) {
   std::lock_guard guard{mutex_};
   // Under the mutex: who is earlier in the queue has the earlier turn, too.
   queue_.push_back({x.handle(), &x, activity_ ? activity_->begin() : 0});
-  if (idle_ > 0)
+  if (idle_ == 0)
+    return watch_queue();
+  // Who tells many of something wakes the threads once, when all of these are in the queue.
+  auto wake_idle = [](void* pool) {
+    auto& self = *static_cast<ComponentPool*>(pool);
+    std::lock_guard batch_guard{self.mutex_};
+    for (auto count = std::min(self.idle_, self.queue_.size()); count > 0; --count)
+      self.work_.notify_one();
+  };
+  if (!at_end_of_ring_batch(shared_from_this(), wake_idle))
     work_.notify_one();
-  else
-    watch_queue();
 }
 
 void ComponentPool::wake_at(Clock::time_point time, const caf::strong_actor_ptr& member,

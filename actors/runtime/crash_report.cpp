@@ -143,8 +143,10 @@ void add_cause(SafeText& text, int signal, const siginfo_t& info) {
 void add_place(SafeText& text) {
   if (const auto* component = this_thread.component) {
     text << " in component " << component->component();
-    if (auto activity = component->activity(); !activity.empty())
-      text << ", in " << activity;
+    if (auto& activity = component->activity(); !activity.what.empty()) {
+      text << ", in ";
+      activity.for_each_part([&](std::string_view part) { text << part; });
+    }
     return;
   }
   std::array<char, 17> name{};

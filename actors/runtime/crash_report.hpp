@@ -1,9 +1,10 @@
 #pragma once
 
+#include "castor/actors/runtime/code_activity.hpp"
+
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <string_view>
 
 /// A message that names the component that was running when a signal such as SIGSEGV ends the
 /// process. Reports are written by a signal handler, so their text is prepared beforehand.
@@ -24,7 +25,7 @@ bool report_exit(const char* call, int status);
 /// signal handler on the same thread.
 class CrashNote {
 public:
-  CrashNote() = default;
+  explicit CrashNote(const CurrentActivity& activity) : activity_(activity) {}
   CrashNote(const CrashNote&) = delete;
   CrashNote& operator=(const CrashNote&) = delete;
 
@@ -32,15 +33,8 @@ public:
   void describe(const std::string& component, const std::string& class_name,
                 const std::string& where, bool isolated);
 
-  /// Activity of its own code, such as "configure()". The text must stay valid until the next call.
-  void set_activity(std::string_view what) {
-    activity_size_ = 0;
-    activity_ = what.data();
-    activity_size_ = what.size();
-  }
-
   const char* component() const { return component_; }
-  std::string_view activity() const { return {activity_, activity_size_}; }
+  const CodeActivity& activity() const { return activity_.own(); }
   bool is_isolated() const { return is_isolated_; }
 
 private:
@@ -49,9 +43,7 @@ private:
   /// "a.shaky (class Shaky, system.cast:5)", ends with a zero.
   char component_[longest] = {};
   bool is_isolated_ = false;
-  // Written in this order, so that a signal handler in between sees a valid pair.
-  const char* volatile activity_ = nullptr;
-  volatile std::size_t activity_size_ = 0;
+  const CurrentActivity& activity_;
 };
 
 /// While it lives, crashes of the calling thread are attributed to the component. Gives the thread

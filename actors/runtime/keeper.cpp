@@ -69,7 +69,7 @@ std::vector<Overrun> BudgetWatch::check(ComponentRecord::Clock::time_point now) 
       result.push_back(
         {x.component.get(),
          std::chrono::duration_cast<std::chrono::milliseconds>(x.component->in_user_code_for(now)),
-         x.component->activity()});
+         x.component->activity.text()});
     x.reported = over;
   }
   return result;

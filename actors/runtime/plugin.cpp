@@ -1,5 +1,6 @@
 #include "castor/actors/runtime/plugin.hpp"
 
+#include "castor/actors/runtime/bundled_plugins.hpp"
 #include "castor/base/input_file.hpp"
 #include "castor/base/suggestion.hpp"
 
@@ -7,6 +8,8 @@
 #include <elf.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
@@ -23,6 +26,13 @@ namespace {
 
 /// The libraries that CMake was told to bundle, separated by commas.
 constexpr std::string_view bundled = CASTOR_BUNDLED_PLUGINS;
+
+/// Component classes and the libraries that they are in, as CMake found them in the sources. One
+/// that was added since is missing, so it is only a hint.
+constexpr std::pair<std::string_view, std::string_view> libraries_of_classes[] = {
+#include "component_classes.inc"
+  {},
+};
 
 bool is_path(const std::string& library) {
   return library.find('/') != library.npos || library.find(".so") != library.npos;
@@ -92,6 +102,17 @@ std::string not_found(const std::string& library, const std::string& file) {
   return text + "write its path, or add its folder to LD_LIBRARY_PATH";
 }
 
+/// Libraries are loaded by one thread at a time.
+std::recursive_mutex& loading() {
+  static std::recursive_mutex result;
+  return result;
+}
+
+/// How many of the libraries that come with Castor were loaded.
+enum class Bundled : std::uint8_t { none, some, all };
+
+std::atomic<Bundled> bundled_loaded{Bundled::none};
+
 bool is_loaded(const std::string& library) {
   auto file = file_name(library);
   // The loader would wait for ever to open a named pipe.
@@ -159,9 +180,20 @@ std::vector<std::string> bundled_plugins() {
   return result;
 }
 
+std::string bundled_plugin_of(const std::string& class_name) {
+  for (auto& [name, library] : libraries_of_classes)
+    if (name == class_name)
+      return bundled_file_name(library);
+  return {};
+}
+
+bool lacks_bundled_plugins() {
+  return bundled_loaded == Bundled::some;
+}
+
 void load_bundled_plugins() {
-  static bool done = false;
-  if (std::exchange(done, true))
+  std::lock_guard guard{loading()};
+  if (bundled_loaded.exchange(Bundled::all) == Bundled::all)
     return;
   for (auto& library : bundled_plugins())
     if (auto problem = load_plugin(library))
@@ -169,9 +201,7 @@ void load_bundled_plugins() {
 }
 
 ClassLookup find_class(const std::string& name) {
-  // Libraries are loaded by one thread at a time.
-  static std::mutex mutex;
-  std::lock_guard guard{mutex};
+  std::lock_guard guard{loading()};
   auto& registry = Registry::instance();
   auto at = name.find('@');
   auto class_name = name.substr(0, at);
@@ -185,6 +215,12 @@ ClassLookup find_class(const std::string& name) {
   }
   if (auto* found = registry.find(name))
     return {found, {}};
+  if (auto library = bundled_plugin_of(name); !library.empty() && !load_plugin(library)) {
+    if (bundled_loaded == Bundled::none)
+      bundled_loaded = Bundled::some;
+    if (auto* found = registry.find(name))
+      return {found, {}};
+  }
   load_bundled_plugins();
   if (auto* found = registry.find(name))
     return {found, {}};

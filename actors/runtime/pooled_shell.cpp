@@ -13,11 +13,14 @@ namespace {
 /// Long enough for what it costs to begin a turn not to matter, short enough for those who wait.
 constexpr std::chrono::milliseconds longest_turn{2};
 
-/// CPU time of the calling thread.
-std::chrono::nanoseconds thread_cpu() {
+/// CPU time of the calling thread since it last asked, which takes longer than many a callback:
+/// what it has done between two turns counts for the second.
+std::chrono::nanoseconds thread_cpu_since() {
+  thread_local std::chrono::nanoseconds before{0};
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
+  auto now = std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
+  return now - std::exchange(before, now);
 }
 
 } // namespace
@@ -43,9 +46,8 @@ void PooledShell::run_turn() {
   CrashWatch::attribute(&code_.crash_note());
   if (!running_)
     running_.emplace(*record_);
-  auto cpu_before = thread_cpu();
   bool goes_on = work();
-  record_->add_cpu(thread_cpu() - cpu_before);
+  record_->add_cpu(thread_cpu_since());
   if (!goes_on)
     record_->set_idle();
   CrashWatch::attribute(nullptr);
@@ -91,7 +93,8 @@ bool PooledShell::live_on() {
   faults_.at_runtime();
   if (life_.has_started())
     check_working_memory();
-  open_.expire(Clock::now());
+  if (!open_.is_empty())
+    open_.expire(Clock::now());
   if (open_.has_done()) {
     call_back();
     return true;
@@ -181,6 +184,8 @@ void PooledShell::set_alarms() {
 }
 
 void PooledShell::set_alarm(Clock::time_point time) {
+  if (time == no_alarm && alarm_ == no_alarm)
+    return;
   // One that is earlier does no harm: it is set again then.
   if (alarm_ <= Clock::now())
     alarm_ = no_alarm;

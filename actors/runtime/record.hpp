@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/component_identity.hpp"
+#include "castor/actors/runtime/code_activity.hpp"
 #include "castor/actors/runtime/held_leases.hpp"
 #include "castor/wm/entries/client.hpp"
 #include "castor/wm/values/reflect.hpp"
@@ -63,6 +64,8 @@ public:
 
   ComponentCounters counters;
   HeldLeases leases;
+  /// What the component's own code does.
+  CurrentActivity activity;
 
   ComponentState state() const { return state_.load(); }
   void set_state(ComponentState x) { state_.store(x); }
@@ -126,18 +129,6 @@ public:
 
   void leave_user_code() { user_code_since_.store(0, std::memory_order_relaxed); }
 
-  /// Sets what the component's own code does, such as "configure()"; returns what it did before.
-  std::string exchange_activity(std::string x) {
-    std::lock_guard guard{activity_mutex_};
-    return std::exchange(activity_, std::move(x));
-  }
-  /// The same text, for the component's own thread, which changes it.
-  const std::string& own_activity() const { return activity_; }
-  std::string activity() const {
-    std::lock_guard guard{activity_mutex_};
-    return activity_;
-  }
-
   /// The calling thread is the component's own until `thread_ends`.
   void thread_begins() {
     std::lock_guard guard{mutex_};
@@ -191,8 +182,6 @@ private:
   std::atomic<std::chrono::milliseconds> budget_{std::chrono::milliseconds::max()};
   std::atomic<std::int64_t> busy_since_{0};
   std::atomic<std::int64_t> user_code_since_{0};
-  mutable std::mutex activity_mutex_;
-  std::string activity_;
   mutable std::mutex mutex_;
   std::string failure_;
   std::string waited_for_;

@@ -32,17 +32,10 @@ constexpr const char* unknown_exception = "an exception that is no std::exceptio
 
 constexpr auto never = Clock::time_point::max();
 
-std::string phase_name(Phase x) {
-  switch (x) {
-    case Phase::configure:
-      return "configure()";
-    case Phase::start:
-      return "start()";
-    case Phase::run:
-      return "run()";
-  }
-  return {};
-}
+constexpr CodeActivity in_configure{"configure()"};
+constexpr CodeActivity in_start{"start()"};
+constexpr CodeActivity in_run{"run()"};
+constexpr CodeActivity in_injected_crash{"an injected crash"};
 
 } // namespace
 
@@ -121,7 +114,7 @@ bool ComponentShell::live(const std::function<void()>& f) {
     // The normal way to end.
   } catch (const InjectedCrash&) {
     if (component_->isolate_) {
-      code_.crash_note().set_activity("an injected crash");
+      code_.set_activity(in_injected_crash);
       std::abort();
     }
     life_.leave_configure();
@@ -159,13 +152,13 @@ void ComponentShell::live_on_thread() {
 }
 
 void ComponentShell::configure_component() {
-  code_.set_activity(phase_name(Phase::configure));
+  code_.set_activity(in_configure);
   if (event_queue_.limit < least_queue_limit)
     throw std::invalid_argument(fmt::format("--queue-limit is {}, but the least is {}",
                                             event_queue_.limit, least_queue_limit));
   if (context_.push_limit() == 0)
     throw std::invalid_argument("--push-limit is 0, but the least is 1");
-  code_.run(phase_name(Phase::configure), [this] {
+  code_.run(in_configure, [this] {
     faults_.in_phase(Phase::configure);
     component_->configure();
   });
@@ -175,19 +168,19 @@ void ComponentShell::configure_component() {
 }
 
 void ComponentShell::start_component() {
-  code_.set_activity(phase_name(Phase::start));
+  code_.set_activity(in_start);
   // Task managers have no filters.
   if (services_->broadcast && dynamic_cast<SubarchitectureComponent*>(component_.get()))
     operations_.receive_broadcasts();
-  code_.run(phase_name(Phase::start), [this] {
+  code_.run(in_start, [this] {
     faults_.in_phase(Phase::start);
     component_->start();
   });
 }
 
 void ComponentShell::run_component() {
-  code_.set_activity(phase_name(Phase::run));
-  code_.run(phase_name(Phase::run), [this] {
+  code_.set_activity(in_run);
+  code_.run(in_run, [this] {
     record_->set_state(ComponentState::running);
     component_->run();
   });
@@ -291,7 +284,7 @@ bool ComponentShell::deliver_until(Clock::time_point until, const std::function<
       continue;
     }
     handle_next();
-    if ((enough && enough()) || context_.time_point() >= until)
+    if ((enough && enough()) || (until != never && context_.time_point() >= until))
       return true;
   }
 }
@@ -318,6 +311,8 @@ bool ComponentShell::wait_for_work(Clock::time_point until) {
 }
 
 void ComponentShell::run_timers() {
+  if (timers_.is_empty())
+    return;
   for (auto& [id, call] : timers_.take_due(context_.time_point()))
     if (timers_.contains(id) && !life_.is_stopping())
       code_.run("the call of a timer", *call);
@@ -345,7 +340,7 @@ void ComponentShell::handle_change(const ChangeNotice& notice) {
     if (life_.is_stopping())
       return;
     if (receivers_.contains(receiver->id))
-      code_.run_callback("the callback for " + to_string(*notice.event),
+      code_.run_callback(CodeActivity{"the callback for ", notice.event.get()},
                          [&] { receiver->callback(*notice.event); });
   }
 }

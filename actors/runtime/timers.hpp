@@ -23,6 +23,8 @@ public:
   TimerId add(std::chrono::nanoseconds period, TimePoint now, std::function<void()> call);
   void remove(TimerId id) { timers_.erase(id); }
 
+  bool is_empty() const { return timers_.empty(); }
+
   /// When the next call is due; `TimePoint::max()` if there is none.
   TimePoint next() const;
 

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace castor {
 
@@ -14,22 +16,27 @@ class UserCode {
 public:
   using Clock = ComponentRecord::Clock;
 
-  UserCode(ComponentRecord& record, InjectedFaults& faults) : record_(record), faults_(faults) {}
+  UserCode(ComponentRecord& record, InjectedFaults& faults)
+    : record_(record), faults_(faults), crash_note_(record.activity) {}
 
-  /// `what` names the call in reports of its failure.
+  /// `what` names the call in reports of its failure, and outlives it.
   template <class F>
-  void run(const std::string& what, F&& f) {
-    // After an exception the activity stays that of the innermost call, for the report.
-    auto outer = set_activity(what);
+  void run(const CodeActivity& what, F&& f) {
+    ActivityScope scope{record_.activity, what};
     record_.enter_user_code(Clock::now());
     f();
     record_.leave_user_code();
-    set_activity(std::move(outer));
+    scope.leave();
+  }
+
+  template <class F>
+  void run(std::string_view what, F&& f) {
+    run(CodeActivity{what}, std::forward<F>(f));
   }
 
   /// The same for a callback, which faults may have been injected into.
   template <class F>
-  void run_callback(const std::string& what, F&& f) {
+  void run_callback(const CodeActivity& what, F&& f) {
     run(what, [&] {
       ++callbacks_;
       ++record_.counters.callbacks;
@@ -38,13 +45,18 @@ public:
     });
   }
 
+  template <class F>
+  void run_callback(std::string_view what, F&& f) {
+    run_callback(CodeActivity{what}, std::forward<F>(f));
+  }
+
   /// Number of callbacks so far.
   std::uint64_t callbacks() const { return callbacks_; }
 
   /// Last activity of the code, such as "configure()".
-  std::string activity() const { return record_.activity(); }
-  /// Returns the previous activity.
-  std::string set_activity(std::string what);
+  std::string activity() const { return to_string(record_.activity.own()); }
+  /// What `x` refers to has to outlive the next change.
+  void set_activity(const CodeActivity& x) { record_.activity.set(x); }
 
   CrashNote& crash_note() { return crash_note_; }
 

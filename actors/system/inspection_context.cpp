@@ -1,9 +1,28 @@
 #include "castor/actors/system/inspection_context.hpp"
 
 #include "castor/actors/node/types_protocol.hpp"
+#include "castor/actors/runtime/bundled_plugins.hpp"
+#include "castor/actors/runtime/plugin.hpp"
 #include "castor/actors/system/operator_client.hpp"
 
+#include <caf/atom.hpp>
+
 namespace castor {
+
+namespace {
+
+using LoadAtom = caf::atom_constant<caf::atom("load")>;
+
+/// Loads libraries on a thread of its own, since that takes a while.
+caf::behavior plugin_loader(caf::event_based_actor* self) {
+  return {[self](LoadAtom) {
+    load_bundled_plugins();
+    self->quit();
+    return true;
+  }};
+}
+
+} // namespace
 
 void InspectionContext::send(std::string text, bool last) {
   self->send(parts.endpoint, InspectionReply{parts.connection, std::move(text), last});
@@ -20,6 +39,16 @@ const WorkingMemoryActor& InspectionContext::working_memory(const std::string& n
 }
 
 void InspectionContext::with_types(std::function<void(TypeCatalogue)> f) {
+  // An operator may mean types that no component here has needed so far.
+  if (!lacks_bundled_plugins())
+    return with_known_types(f);
+  self->request(self->spawn<caf::detached>(plugin_loader), caf::infinite, LoadAtom::value)
+    .then([context = shared_from_this(), f](bool) {
+      context->guarded([&] { context->with_known_types(f); });
+    });
+}
+
+void InspectionContext::with_known_types(std::function<void(TypeCatalogue)> f) {
   auto types = std::make_shared<TypeCatalogue>(known_types());
   std::shared_ptr<void> done{nullptr, [context = shared_from_this(), types, f](void*) {
                                context->guarded([&] { f(std::move(*types)); });

@@ -94,6 +94,9 @@ public:
   InspectionParts parts;
   /// Called with every change event, if the request has subscribed to some.
   std::function<void(const ChangeEventPtr&)> on_event;
+
+private:
+  void with_known_types(std::function<void(TypeCatalogue)> f);
 };
 
 using InspectionContextPtr = std::shared_ptr<InspectionContext>;

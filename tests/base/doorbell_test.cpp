@@ -1,5 +1,7 @@
 #include "castor/base/doorbell.hpp"
 
+#include "castor/base/ring_batch_end.hpp"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -85,9 +87,8 @@ TEST(Doorbell, ARingWithoutReasonDoesNotEndAWait) {
   auto bell = make_bell();
   std::atomic<int> looks{0};
   std::atomic<bool> is_idle{true};
-  std::thread sleeper{[&] {
-    EXPECT_TRUE(bell->wait_while([&] { return ++looks, is_idle.load(); }, for_ever));
-  }};
+  std::thread sleeper{
+    [&] { EXPECT_TRUE(bell->wait_while([&] { return ++looks, is_idle.load(); }, for_ever)); }};
   // It looks again after every ring that it hears.
   while (looks < 10)
     Doorbell::ring(bell);
@@ -168,6 +169,27 @@ TEST(RingBatch, RingsAtTheEndOfTheOutermost) {
   }
   sleeper.join();
   EXPECT_FALSE(is_idle);
+}
+
+TEST(RingBatch, OthersAreCalledAtItsEndOnceEach) {
+  auto first = std::make_shared<int>(0);
+  auto second = std::make_shared<int>(0);
+  auto count = [](void* x) { ++*static_cast<int*>(x); };
+  EXPECT_FALSE(at_end_of_ring_batch(first, count)) << "there is none";
+  for (int batches = 1; batches <= 3; ++batches) {
+    {
+      RingBatch outer;
+      {
+        RingBatch inner;
+        for (auto& who : {first, second, first})
+          EXPECT_TRUE(at_end_of_ring_batch(who, count));
+      }
+      EXPECT_EQ(*first, batches - 1);
+    }
+    EXPECT_EQ(*first, batches);
+    EXPECT_EQ(*second, batches);
+  }
+  EXPECT_EQ(first.use_count(), 1);
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "castor/wm/entries/change_event.hpp"
 
+#include "castor/wm/entries/change_event_text.hpp"
+
 namespace castor {
 
 std::string_view to_string(Operation x) {
@@ -15,15 +17,8 @@ std::string_view to_string(Operation x) {
 }
 
 std::string to_string(const ChangeEvent& x) {
-  auto result = std::string{to_string(x.operation)} + ' ' + x.type_name() + ' ' +
-                to_string(x.address) + " v" + std::to_string(x.version) + " by " + x.source;
-  const char* separator = ", changed ";
-  for (auto& name : x.changed_fields()) {
-    result += separator + name;
-    separator = " and ";
-  }
-  if (x.coalesced)
-    result += ", coalesced";
+  std::string result;
+  for_each_part(x, [&](std::string_view part) { result += part; });
   return result;
 }
 

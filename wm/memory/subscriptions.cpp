@@ -2,18 +2,36 @@
 
 #include "castor/wm/memory/receiver_keys.hpp"
 
+#include <algorithm>
+
 namespace castor {
 
 using namespace receiver_keys;
 
+namespace {
+
+/// The batch of a subscriber, which is added if there is none.
+Subscriptions::Batch& batch_of(Subscriptions::Number number, Subscriptions::Notices& notices) {
+  // The events of a single change are collected in order.
+  if (notices.empty() || notices.back().first < number)
+    return notices.emplace_back(number, Subscriptions::Batch{}).second;
+  auto i =
+    std::ranges::lower_bound(notices, number, {}, &Subscriptions::Notices::value_type::first);
+  if (i->first != number)
+    i = notices.emplace(i, number, Subscriptions::Batch{});
+  return i->second;
+}
+
+} // namespace
+
 Subscriptions::Number Subscriptions::add(std::string component, std::uint32_t queue_limit) {
   auto number = ++last_number_;
-  subscribers_[number] = {std::move(component), EventFlow{queue_limit}, {}};
+  subscribers_.emplace(number, Subscriber{std::move(component), EventFlow{queue_limit}});
   return number;
 }
 
 std::vector<Subscriptions::WithdrawnInterest> Subscriptions::remove(Number number) {
-  auto& [component, flow, filters] = subscribers_.at(number);
+  auto& [component, flow, filters, usage] = subscribers_.at(number);
   counters_.suppressed += flow.backlog().suppressed();
   // Nobody waits for what it holds, so its filters need not be looked for there.
   flow = EventFlow{};
@@ -64,11 +82,11 @@ const std::vector<FilterIndex::Key>& Subscriptions::match(const ChangeEvent& eve
 void Subscriptions::collect(const ChangeEventPtr& event, const std::vector<FilterIndex::Key>& keys,
                             Notices& notices) const {
   for_each_receiver(keys, [&](Number number, std::vector<FilterId> ids) {
-    notices[number].push_back({event, std::move(ids)});
+    batch_of(number, notices).push_back({event, std::move(ids)});
   });
   // A backlog that merges is to know of the others, too: of all that came here.
   for (auto number : merging_)
-    if (auto& list = notices[number]; list.empty() || list.back().event != event)
+    if (auto& list = batch_of(number, notices); list.empty() || list.back().event != event)
       list.push_back({event, {}});
 }
 
@@ -95,14 +113,18 @@ Subscriptions::Counters Subscriptions::counters() const {
   return result;
 }
 
-void Subscriptions::count(const Subscriber& subscriber, const Batch& batch, UsageLog& usage) {
+void Subscriptions::count(Subscriber& subscriber, const Batch& batch, UsageLog& usage) {
   for (auto& [event, filters] : batch) {
     if (filters.empty())
       continue;
     ++counters_.matched;
-    if (!subscriber.component.empty())
-      usage.record(subscriber.component, event->address.subarchitecture, event->type_name(),
-                   &Usage::events);
+    if (subscriber.component.empty())
+      continue;
+    auto& subarchitecture = event->address.subarchitecture;
+    auto& last = subscriber.usage;
+    if (!last || last->type != event->type_name() || last->subarchitecture != subarchitecture)
+      last = &usage.usage(subscriber.component, subarchitecture, event->type_name());
+    ++last->events;
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -26,8 +25,8 @@ public:
   using Number = std::uint32_t;
   using Batch = EventFlow::Batch;
 
-  /// Events of one write, by subscriber.
-  using Notices = std::map<Number, Batch>;
+  /// Events of one write, by subscriber, in the order of their numbers.
+  using Notices = std::vector<std::pair<Number, Batch>>;
 
   /// An interest in the other subarchitectures that has no subscriber any more.
   struct WithdrawnInterest {
@@ -127,20 +126,22 @@ private:
   struct Subscriber {
     std::string component;
     EventFlow flow;
-    std::unordered_map<FilterId, ChangeFilter> filters;
+    std::unordered_map<FilterId, ChangeFilter> filters = {};
+    /// Where its last event was counted, which mostly is where the next one will be. Null at first.
+    Usage* usage = nullptr;
   };
 
   bool is_ignored(const ChangeEvent& event) const {
     return ignored_.count(event.address.subarchitecture) > 0;
   }
-  void count(const Subscriber& subscriber, const Batch& batch, UsageLog& usage);
+  void count(Subscriber& subscriber, const Batch& batch, UsageLog& usage);
   void update_merging(Number number, const Subscriber& subscriber);
 
   std::string subarchitecture_;
   std::set<std::string> ignored_;
   /// Keys: the subscriber's number above its filter's id.
   FilterIndex filters_;
-  std::map<Number, Subscriber> subscribers_;
+  std::unordered_map<Number, Subscriber> subscribers_;
   Number last_number_ = 0;
   /// Subscribers whose events are being merged.
   std::set<Number> merging_;

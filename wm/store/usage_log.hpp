@@ -34,6 +34,12 @@ public:
   /// Adds to one counter.
   void record(std::string_view component, std::string_view subarchitecture, std::string_view type,
               std::uint64_t Usage::*what, std::uint64_t count = 1) {
+    usage(component, subarchitecture, type).*what += count;
+  }
+
+  /// The counters of a component, to be kept by who adds to them often. They stay where they are.
+  Usage& usage(std::string_view component, std::string_view subarchitecture,
+               std::string_view type) {
     auto key = std::tie(component, subarchitecture, type);
     auto i = usages_.lower_bound(key);
     if (i == usages_.end() || key_of(i->second) != key) {
@@ -43,7 +49,7 @@ public:
       x.type = type;
       i = usages_.emplace_hint(i, Key{x.component, x.subarchitecture, x.type}, x);
     }
-    i->second.*what += count;
+    return i->second;
   }
 
   /// Sorted by component, subarchitecture and type.

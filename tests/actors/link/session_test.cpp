@@ -179,12 +179,14 @@ TEST(LinkSession, AnAnnouncementIsWrittenBesideWhatElseThereIs) {
   EXPECT_EQ(b.peer_promise(), 0ms) << "the acknowledgement was sign enough";
   b.send({bytes("y")});
   heads(a, everything(b));
-  a.announce(5s);
+  a.announce(5s, true);
   heads(b, everything(a));
   EXPECT_EQ(b.peer_promise(), 5s);
+  EXPECT_TRUE(b.peer_awaits());
   EXPECT_EQ(b.unacknowledged(), 0u);
   b.resume(2);
   EXPECT_EQ(b.peer_promise(), 0ms);
+  EXPECT_FALSE(b.peer_awaits());
 }
 
 TEST(LinkSession, AGoodbyeComesLast) {
@@ -214,7 +216,7 @@ TEST(LinkSession, RefusesWhatCannotBe) {
   EXPECT_THAT(problem(x, "\1\0\0\0\x9"sv), HasSubstr("unknown kind"));
   EXPECT_THAT(problem(x, "\3\0\0\0\1ab"sv), HasSubstr("too early"));
   EXPECT_THAT(problem(x, "\x9\0\0\0\1\1\0\0\0\0\0\0\0"sv), HasSubstr("never sent"));
-  EXPECT_THAT(problem(x, "\6\0\0\0\2abcde"sv), HasSubstr("longer than it should be"));
+  EXPECT_THAT(problem(x, "\7\0\0\0\2abcdef"sv), HasSubstr("longer than it should be"));
   EXPECT_THAT(problem(x, "\6\0\0\0\0\1\0\0\0\0"sv), HasSubstr("out of order"));
   // A message of two pieces that take 2^64 bytes and some, and one of very many pieces.
   EXPECT_THAT(problem(x, "\x1a\0\0\0\0\1\0\0\0\1\2\0\0\0\xff\xff\xff\xff\xff\xff\xff\xff"

@@ -161,8 +161,9 @@ castor_mutant(deaths_settle_nothing wm/memory/working_memory_shell.cpp
   TO "")
 
 castor_mutant(changes_told_backwards wm/memory/subscriptions.cpp
-  FROM "notices[number].push_back({event, std::move(ids)});"
-  TO "notices[number].insert(notices[number].begin(), ChangeNotice{event, std::move(ids)});")
+  FROM "batch_of(number, notices).push_back({event, std::move(ids)});"
+  TO "auto& batch = batch_of(number, notices);
+    batch.insert(batch.begin(), ChangeNotice{event, std::move(ids)});")
 
 castor_mutant(nobody_is_told_of_deletions wm/memory/peer_routes.cpp
   FROM "interests_.match(event, content, matched_);"
