@@ -270,7 +270,7 @@ struct DirectivePlace {
   /// A relation (near, left, right, front, back, on, between, in, away ...), or without landmarks a
   /// part: left, left-edge, front-left-corner, centre, edge, corner, elsewhere, table, there ...;
   /// or measured: midway, equidistant, in-line, other-side, both-sides, roomiest; or how several
-  /// things are arranged: in-row, in-row-as-named, in-column, in-ring, apart.
+  /// things are arranged: in-row, in-row-as-named, in-two-rows, in-column, in-ring, apart.
   std::string relation;
   /// Proxies; several are meant together.
   std::vector<std::string> landmarks;
@@ -284,8 +284,8 @@ struct DirectivePlace {
 /// Whether the relation of a DirectivePlace is one that things have together: a row, a ring, far
 /// from each other.
 inline bool is_arrangement(std::string_view relation) {
-  return relation == "in-row" || relation == "in-row-as-named" || relation == "in-column" ||
-         relation == "in-ring" || relation == "apart";
+  return relation == "in-row" || relation == "in-row-as-named" || relation == "in-two-rows" ||
+         relation == "in-column" || relation == "in-ring" || relation == "apart";
 }
 
 /// What is to be done with some things.

@@ -10,6 +10,7 @@
 
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
+#include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/planning/manipulation/types.hpp"
 #include "castor/planning/motivation/types.hpp"
@@ -82,7 +83,16 @@ class Speaker final : public UnmanagedComponent {
     transcript.is_over = true;
   }
 
+  /// As an UtteranceSource does.
   void say(const std::string& text) {
+    for (const auto& sentence : communication::sentences_of(text)) {
+      if (is_running())
+        say_sentence(sentence);
+      sleep_for(1s);
+    }
+  }
+
+  void say_sentence(const std::string& text) {
     const auto before = read_all_in<PhonString>("communication").size();
     PhonString said;
     said.word_sequence = text;

@@ -6,9 +6,12 @@
 #include "castor/communication/parsing/packing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace castor::communication {
 
@@ -18,6 +21,9 @@ using WordList = std::vector<std::string>;
 
 /// In words, of what begins a reason.
 constexpr std::size_t longest_reason_word = 4;
+
+/// In words, of what begins a remark.
+constexpr std::size_t longest_remark_word = 7;
 
 std::string text_of(const WordList& words) {
   std::string result;
@@ -77,6 +83,56 @@ std::optional<PackedLogicalForm> without_reason(Parser& parser, const WordList& 
   return std::nullopt;
 }
 
+/// "If", "unless": they say when a request is meant, or that another one is.
+bool decides(const std::string& word) {
+  constexpr std::array<std::string_view, 9> words{"if",   "unless", "until",  "except",  "only",
+                                                  "when", "while",  "rather", "opposite"};
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// The parts of an utterance between pauses.
+std::vector<WordList> pieces_of(const WordList& words) {
+  std::vector<WordList> result{{}};
+  for (const auto& word : words)
+    if (word != ",")
+      result.back().push_back(word);
+    else if (!result.back().empty())
+      result.emplace_back();
+  if (result.back().empty())
+    result.pop_back();
+  return result;
+}
+
+bool is_remark(const WordList& words, const Lexicon& lexicon) {
+  // "And if that does not work" begins with a word that decides.
+  for (auto end = std::min(longest_remark_word, words.size()); end > 0; --end)
+    if (lexicon.is_in(WordClass::comment, text_of(piece(words, 0, end))))
+      return std::none_of(words.begin() + static_cast<std::ptrdiff_t>(end), words.end(), decides);
+  return false;
+}
+
+bool begins_with_if(const WordList& words) {
+  return words.front() == "if" || (words.size() > 1 && words[1] == "if");
+}
+
+/// "Take the cube away, I do not need it": without remarks.
+std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList& words) {
+  WordList request;
+  WordList left_out;
+  // "And if that does not work, on the disc": what follows is part of it.
+  bool is_alternative = false;
+  for (const auto& x : pieces_of(words)) {
+    const bool is_left_out = is_alternative || is_remark(x, parser.lexicon());
+    is_alternative = is_left_out && (is_alternative || begins_with_if(x));
+    auto& to = is_left_out ? left_out : request;
+    if (!to.empty())
+      to.emplace_back(",");
+    to.insert(to.end(), x.begin(), x.end());
+  }
+  const bool begins_with_remark = is_remark(words, parser.lexicon());
+  return clear_request(parser, std::move(request), left_out, begins_with_remark);
+}
+
 /// Adverbs that are not known.
 std::optional<PackedLogicalForm> without_manner(Parser& parser, const WordList& words) {
   const auto& lexicon = parser.lexicon();
@@ -94,6 +150,8 @@ std::optional<PackedLogicalForm> without_manner(Parser& parser, const WordList& 
 
 std::optional<PackedLogicalForm> parsed_request_alone(Parser& parser, const WordList& words) {
   if (auto result = without_reason(parser, words))
+    return result;
+  if (auto result = without_remarks(parser, words))
     return result;
   return without_manner(parser, words);
 }

@@ -6,8 +6,11 @@
 #include "castor/communication/parsing/packing.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace castor::communication {
 
@@ -55,6 +58,13 @@ LogicalForm as_request(LogicalForm form, const WordMeanings& meanings) {
 
 } // namespace
 
+bool is_verbless(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  if (root != nullptr && root->sort == "conjunction")
+    root = dependent(form, *root, "First");
+  return root != nullptr && feature(*root, "Verbless") == "true";
+}
+
 bool is_clause(const LogicalForm& form, const Nominal& x) {
   if (x.sort == "conjunction") {
     const auto* first = dependent(form, x, "First");
@@ -95,11 +105,19 @@ DialogueMoveType dialogue_move_type(const LogicalForm& form) {
 }
 
 void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
+  // "The ball on the left?"
+  const bool is_asked =
+    form.text.ends_with('?') && std::ranges::any_of(form.readings, [&](const Reading& x) {
+      const auto said = unpack(form, x.id);
+      return said.size() == 1 && !is_verbless(said.front());
+    });
   for (auto& reading : form.readings) {
     auto said = unpack(form, reading.id);
     if (said.size() != 1)
       continue;
     said.front() = reunited(std::move(said.front()));
+    if (is_asked && is_verbless(said.front()))
+      continue;
     if (form.text.ends_with('?'))
       said.front() = as_question(std::move(said.front()));
     if (move.content.nominals.empty()) {
@@ -118,7 +136,7 @@ void take_requests(DialogueMove& move, const WordMeanings& meanings) {
     x = as_request(std::move(x), meanings);
   const auto is_request = [&](const LogicalForm& x) {
     return dialogue_move_type(x) == DialogueMoveType::action_directive &&
-           !action_asked_for(x, meanings).empty();
+           !action_asked_for(x, meanings).empty() && !is_verbless(x);
   };
   // "You may touch the ball" does not ask for a state: "may you touch it".
   const auto& sort = find_nominal(move.content, move.content.root)->sort;
@@ -152,13 +170,22 @@ std::string said_back(const DialogueMove& move) {
 
 std::string problem_of(const PackedLogicalForm& form) {
   std::string text = "I do not understand that";
-  if (!form.unparsable.empty()) {
-    auto& problem = form.unparsable.front();
+  if (form.unparsable.empty())
+    return text + '.';
+  std::vector<std::string> unknown;
+  for (const auto& x : form.unparsable)
+    if (x.reason.ends_with("is not known") && std::ranges::find(unknown, x.text) == unknown.end())
+      unknown.push_back(x.text);
+  const auto& problem = form.unparsable.front();
+  if (unknown.empty())
     text += ": " + problem.reason;
-    if (!problem.suggestions.empty())
-      text += "; do you mean '" + problem.suggestions.front() + "'?";
-  }
-  return text.ends_with('?') ? text : text + '.';
+  else
+    text += unknown.size() == 1 ? ": I do not know the word " : ": I do not know the words ";
+  for (std::size_t i = 0; i < unknown.size(); ++i)
+    text += (i == 0 ? "\"" : i + 1 == unknown.size() ? " and \"" : ", \"") + unknown[i] + '"';
+  if (unknown.size() < 2 && !problem.suggestions.empty())
+    return text + "; do you mean '" + problem.suggestions.front() + "'?";
+  return text + (unknown.empty() ? "." : ". Please say it in other words.");
 }
 
 std::string action_asked_for(const LogicalForm& request, const WordMeanings& meanings) {

@@ -8,6 +8,9 @@
 
 namespace castor::communication {
 
+/// Whether a request has no verb, so that it may be meant otherwise: "the ball on the left".
+bool is_verbless(const LogicalForm& form);
+
 /// The feature of the root of a phrase that is said as a question: "a ball?"
 inline constexpr std::string_view said_as_question = "As-Question";
 
@@ -21,10 +24,10 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move);
 /// Whether it is not a phrase: somebody does something or something is so.
 bool is_clause(const LogicalForm& form, const Nominal& x);
 
-/// Takes an utterance for a request if it can be read so and the lexicon has an action for its verb,
-/// and gives the move that action. "Find the ball" asks where the ball is only where nobody finds
-/// things, "give me the ball" asks what there is only where nobody gives; "can you take the ball?"
-/// asks to take it where somebody takes things.
+/// Takes an utterance for a request if it can be read so and the lexicon has an action for its
+/// verb, and gives the move that action. "Find the ball" asks where the ball is only where nobody
+/// finds things, "give me the ball" asks what there is only where nobody gives; "can you take the
+/// ball?" asks to take it where somebody takes things.
 void take_requests(DialogueMove& move, const WordMeanings& meanings);
 
 /// "I take 'squre' for 'square'. I leave out 'my notes say'.", if words of the utterance were taken

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -101,10 +100,21 @@ private:
       step.action = action_for(x.proposition);
     if (is_same && dependent(form_, x, "Patient") == nullptr)
       throw Uninterpretable{Reason::word, x.proposition};
-    if (const auto* destination = dependent(form_, x, "Destination"))
+    if (const auto* destination = destination_of(x))
       read_destination(x, *destination, step);
     else
       read_without_destination(x, step);
+  }
+
+  /// "Get the ball out of the way" gives it to nobody.
+  const Nominal* destination_of(const Nominal& x) const {
+    const auto* recipient = dependent(form_, x, "Recipient");
+    const bool is_place = recipient != nullptr && recipient->sort == "place" &&
+                          recipient->proposition != "here" && recipient->proposition != "home";
+    const auto* anchor = is_place ? dependent(form_, *recipient, "Anchor") : nullptr;
+    if (is_place && (anchor == nullptr || anchor->sort == "place"))
+      return recipient;
+    return dependent(form_, x, "Destination");
   }
 
   /// "If the ball is on the left, ...", "because it is in my way, ...".
@@ -132,6 +142,9 @@ private:
       const auto delimited = feature(patient, "Delimitation");
       const bool is_anything =
         (delimited == "any" || delimited == "none") && vocabulary().is_general(patient.proposition);
+      // "Do not stack anything, just ...": nothing is stacked without need.
+      if (is_anything && destination->proposition == "on-each-other" && is_part_of_several())
+        return false;
       const auto places = places_named(form_, *destination, vocabulary());
       if (!is_anything || places.size() != 1 || places.front().relation != "on" ||
           places.front().landmark == nullptr)
@@ -182,6 +195,10 @@ private:
     // "Get everything off the left side."
     const auto* anchor = dependent(form_, destination, "Anchor");
     if (destination.proposition == "away" && anchor != nullptr && anchor->sort == "place") {
+      // "The things" are those that are there.
+      const bool is_all_there = is_plural(patient) && vocabulary().is_general(patient.proposition);
+      if (!is_everything(patient) && !is_all_there)
+        return read_away_from_part(patient, *anchor, step);
       step.action = action_for("clear");
       return read_clearing(*anchor, step);
     }
@@ -201,7 +218,7 @@ private:
     if (destination.proposition == "near-each-other")
       return read_gathering(meant, step);
     if (destination.proposition == "on-each-other")
-      return read_stacking(patient, in_stacking_order(patient, x, std::move(meant)), step);
+      return read_stacking(patient, meant_.in_stacking_order(patient, x, std::move(meant)), step);
     if (is_arrangement(destination.proposition))
       return read_arrangement(meant, destination, step);
     if (destination.proposition == "gap")
@@ -218,6 +235,16 @@ private:
     if (!is_definite(patient) || is_plural(patient))
       meant.things = all_but(std::move(meant.things), landmarks);
     take(meant, patient, step);
+  }
+
+  /// "Move the ball away from the edge": not everything that is there.
+  void read_away_from_part(const Nominal& patient, const Nominal& part, DirectiveStep& step) {
+    const auto from = part_named(form_, part, vocabulary());
+    if (from.landmark != nullptr)
+      throw Uninterpretable{Reason::word, part.proposition};
+    step.action = action_for("put");
+    step.places.push_back({part_away_from(from.relation), {}});
+    take(meant_.things(patient), patient, step);
   }
 
   /// Whether "in its old place" is the place where the thing itself was, not another one.
@@ -249,38 +276,6 @@ private:
     step.things.assign(gathered.begin() + 1, gathered.end());
   }
 
-  /// From the bottom: in the order in which they are named, else the widest first, and what nothing
-  /// stays on last. "With the green one at the bottom" says which is first.
-  Meant in_stacking_order(const Nominal& patient, const Nominal& x, Meant meant) {
-    if (patient.sort != "conjunction") {
-      const auto width = [&](const std::string& id) {
-        const auto body = scene_.body(id);
-        const auto shapes = scene_.words(id, binding::FeatureKind::shape);
-        const bool is_round = !shapes.empty() && shapes.front() == "sphere";
-        return is_round || !body ? 0.0 : body->extent[0] * body->extent[1];
-      };
-      std::ranges::stable_sort(meant.things, std::greater{}, width);
-    }
-    // "The tallest tower you can": of all that can be stacked, one that is round on top.
-    if (feature(patient, "Stackable") == "true") {
-      const auto is_flat = [&](const std::string& id) {
-        const auto shapes = scene_.words(id, binding::FeatureKind::shape);
-        return !shapes.empty() && shapes.front() != "sphere";
-      };
-      std::erase_if(meant.things, [&](const auto& id) { return !is_flat(id); });
-    }
-    const auto* bottom = dependent(form_, x, "Bottom");
-    const auto* top = bottom == nullptr ? dependent(form_, x, "Top") : bottom;
-    if (top != nullptr) {
-      const auto ends = meant_.landmarks_of(*top, {});
-      const auto is_end = [&](const auto& id) {
-        return (std::ranges::find(ends, id) != ends.end()) == (bottom != nullptr);
-      };
-      std::stable_partition(meant.things.begin(), meant.things.end(), is_end);
-    }
-    return meant;
-  }
-
   /// Each on the one before.
   void read_stacking(const Nominal& patient, const Meant& meant, DirectiveStep& step) {
     // "A tower of three blocks" is of the best of them.
@@ -293,6 +288,8 @@ private:
     const auto stacked = meant_.proxies(meant.things);
     if (stacked.size() < 2 && scene_.open_questions().empty())
       throw Uninterpretable{Reason::word, "on-each-other"};
+    if (!meant.things.empty())
+      meant_.note_stack(meant.things.front());
     for (std::size_t i = 1; i < stacked.size(); ++i) {
       DirectiveStep next{step.action, {stacked[i]}, 0, {{"on", {stacked[i - 1]}}}, {}};
       if (i + 1 < stacked.size())
@@ -366,6 +363,14 @@ private:
   void read_sorting(const Nominal& x, const Nominal* patient, DirectiveStep& step) {
     const auto* by = dependent(form_, x, "By");
     step.by = by == nullptr ? "colour" : by->proposition;
+    // "By size, biggest first."
+    constexpr std::string_view down = "-down";
+    if (const auto order = by == nullptr ? std::string_view{} : feature(*by, "Order");
+        !order.empty() && is_measure(step.by)) {
+      if (step.by.ends_with(down))
+        step.by.resize(step.by.size() - down.size());
+      step.by += order == "down" ? down : "";
+    }
     if (!is_measure(step.by) && !vocabulary().kind_of_quality(step.by))
       throw Uninterpretable{Reason::word, step.by};
     Meant meant{scene_.things(), 0};

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace castor::communication {
 
@@ -47,7 +48,9 @@ const Words parts{{"left", "left"},
                   {"roomiest", "roomiest"},
                   {"on-top", "on-top"},
                   {"opposite-corner", "opposite-corner"},
-                  {"there", "there"}};
+                  {"there", "there"},
+                  {"table", "table"},
+                  {"some-way", "some-way"}};
 
 /// Relations to landmarks, besides those that binding has.
 const Words relations{{"on", "on"},
@@ -140,6 +143,19 @@ PlacePhrase part_named(const LogicalForm& form, const Nominal& x, const Vocabula
   if (x.proposition == "top")
     return {"on", owner};
   return side_of(*owner, part(x.proposition));
+}
+
+std::string part_away_from(std::string_view part) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> others{
+    {{"left", "right"},
+     {"right", "left"},
+     {"front", "back"},
+     {"back", "front"},
+     {"centre", "elsewhere"}}};
+  for (const auto& [from, to] : others)
+    if (part == from)
+      return std::string{to};
+  return "centre";
 }
 
 std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& destination,

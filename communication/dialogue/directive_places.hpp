@@ -31,6 +31,9 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
 /// \throws Uninterpretable for what is no such part
 PlacePhrase part_named(const LogicalForm& form, const Nominal& part, const Vocabulary& vocabulary);
 
+/// The part where something goes that is to be away from one.
+std::string part_away_from(std::string_view part);
+
 /// A number of centimetres as metres; 0 for what is no number.
 double centimetres_in(std::string_view text);
 

@@ -136,6 +136,22 @@ Things DirectiveThings::as_thing(const Nominal& phrase) {
   return Evaluation{form, antecedents_, scene_}.meant(thing);
 }
 
+/// "The glasses", "my forks": what the robot cannot see to be one, and of which nobody has said
+/// that it is called so, is not there; what may be one is not taken for it.
+bool DirectiveThings::names_nothing_seen(const Nominal& phrase) {
+  if (phrase.sort != "thing" || is_pronoun(phrase) || antecedents_.contains(phrase.name) ||
+      vocabulary().is_perceptible(phrase.proposition) ||
+      dependent(form_, phrase, "PartOf") != nullptr)
+    return false;
+  // "The brown plate" tells which thing is called so.
+  const auto tells = [](const NominalRelation& x) {
+    return x.mode == "Colour" || x.mode == "Shape" || x.mode == "Selection" || x.mode == "Location";
+  };
+  if (!is_plural(phrase) && std::ranges::any_of(phrase.relations, tells))
+    return false;
+  return evaluation_.described(phrase).certain.empty() && scene_.open_questions().empty();
+}
+
 MeantThings DirectiveThings::things_named(const Nominal& phrase) {
   if (auto before = of_step_before(phrase))
     return *before;
@@ -145,6 +161,8 @@ MeantThings DirectiveThings::things_named(const Nominal& phrase) {
     throw Uninterpretable{Reason::word, phrase.proposition};
   if (auto moved = of_before(phrase); !moved.empty())
     return {std::move(moved), 0};
+  if (names_nothing_seen(phrase))
+    throw Uninterpretable{Reason::nothing_like, phrase.name};
   const bool is_others = is_about_others(form_, phrase);
   // "Leave the ball alone and take everything else."
   if (is_others && last_ && feature(phrase, "Delimitation") == "all")
@@ -264,6 +282,11 @@ Things DirectiveThings::nearest_of(const MeantThings& all, const Things& patient
 }
 
 Things DirectiveThings::landmarks_of(const Nominal& phrase, const Things& patients) {
+  if (auto bottom = bottom_of_stack(phrase); !bottom.empty())
+    return bottom;
+  // "On itself": whoever knows what can be put where says why not.
+  if (phrase.proposition == "itself")
+    return patients;
   try {
     const auto before = of_step_before(phrase);
     if (before && before->things != patients)

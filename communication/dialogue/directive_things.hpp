@@ -40,6 +40,9 @@ public:
   MeantThings things_of(const Nominal& phrase);
   /// "Next to the ball" is next to the other one, if a ball is to be put there.
   Things landmarks_of(const Nominal& phrase, const Things& patients);
+  /// From the bottom: in the order in which they are named, else the widest first, and what nothing
+  /// stays on last. "With the green one at the bottom" says which is first.
+  MeantThings in_stacking_order(const Nominal& patient, const Nominal& x, MeantThings meant);
   /// Any of those that are like it, if it is not clear which: what is put down is held, and what is
   /// put back was moved, which tells.
   MeantThings one_of_like(const Nominal& phrase);
@@ -49,6 +52,8 @@ public:
   /// A step ends: pronouns of the next one stand for its things.
   /// \param names_things whether there are any
   void end_step(bool names_things);
+  /// "Stack the cubes, and put the ball in front of the tower": what stands below in it.
+  void note_stack(const std::string& bottom) { stack_ = {bottom}; }
   /// "If there is a ball on the left, take it": a clause that a step depends on, or is asked for
   /// because of, says what its pronouns stand for.
   void note_clause(const Nominal& clause);
@@ -59,6 +64,8 @@ private:
   const Vocabulary& vocabulary() const { return scene_.vocabulary(); }
 
   MeantThings things_named(const Nominal& phrase);
+  bool names_nothing_seen(const Nominal& phrase);
+  Things bottom_of_stack(const Nominal& phrase);
   Things as_thing(const Nominal& phrase);
   std::optional<std::string> named_before(const Nominal& phrase);
   Things only_other_before(const Nominal& pronoun, const Things& patients);
@@ -80,6 +87,8 @@ private:
   MeantThings current_;
   /// What the request has named so far.
   Things mentioned_;
+  /// What stands below in what the request has stacked.
+  Things stack_;
   /// What a clause beside the request is about: its subject, and all of its things.
   std::optional<MeantThings> subject_;
   MeantThings of_whole_clause_;

@@ -14,6 +14,30 @@
 
 namespace castor::communication {
 
+namespace {
+
+/// "The other way": where the request goes is its opposite then.
+bool turn(LogicalForm& request) {
+  constexpr std::array<std::array<std::string_view, 2>, 2> opposites{
+    {{"left", "right"}, {"front", "back"}}};
+  const auto* root = find_nominal(request, request.root);
+  const auto* destination = root == nullptr ? nullptr : dependent(request, *root, "Destination");
+  if (destination == nullptr)
+    return false;
+  auto& where = *find_nominal(request, destination->name);
+  auto& place = where.proposition;
+  for (const auto& [a, b] : opposites)
+    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}})
+      if (const auto at = place.find(from); at != std::string::npos) {
+        place.replace(at, from.size(), to);
+        where.features.push_back({"Corrects", "true"});
+        return true;
+      }
+  return false;
+}
+
+} // namespace
+
 std::string append(LogicalForm& form, const LogicalForm& other, Antecedents& antecedents,
                    const Antecedents& others) {
   std::string prefix = "n";
@@ -67,6 +91,8 @@ bool substitute(CompleteMove& question, const LogicalForm& said, const Anteceden
   auto& form = question.move.content;
   const auto name = append(form, said, question.antecedents, antecedents);
   const auto* fragment = find_nominal(form, name);
+  if (fragment != nullptr && fragment->sort == "region" && fragment->proposition == "other-way")
+    return turn(form);
   return fragment != nullptr && substitute_fragment(form, *fragment, vocabulary);
 }
 

@@ -225,8 +225,32 @@ void QuestionContext::resolve_there(CompleteMove& move) const {
         relation.dependent = name;
 }
 
+/// "The red cube. The left edge.": it goes there. Nothing if what is said now is no place.
+std::optional<CompleteMove> QuestionContext::put_topic(const CompleteMove& place) const {
+  const auto* where = find_nominal(place.move.content, place.move.content.root);
+  if (!topic_ || where == nullptr || (where->sort != "region" && where->sort != "place"))
+    return std::nullopt;
+  auto result = place;
+  auto& form = result.move.content;
+  auto destination = form.root;
+  const auto thing = append(form, topic_->move.content, result.antecedents, topic_->antecedents);
+  if (find_nominal(form, destination)->sort == "place") {
+    form.nominals.push_back({"where", "region", "at", {}, {{"Anchor", destination}}});
+    destination = "where";
+  }
+  form.nominals.push_back({"order",
+                           "action",
+                           "put",
+                           {{"Mood", "imp"}},
+                           {{"Patient", thing}, {"Destination", destination}}});
+  form.root = "order";
+  result.move.alternatives.clear();
+  result.move.type = DialogueMoveType::action_directive;
+  return result;
+}
+
 void QuestionContext::rename(const RenamedThings& renamed) {
-  for (auto* move : {&question_, &clause_, &unclear_})
+  for (auto* move : {&question_, &clause_, &unclear_, &topic_})
     if (*move)
       communication::rename((*move)->antecedents, renamed);
 }
@@ -287,6 +311,19 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
     if (clarify(clarified, asked_about_, move.content, antecedents, *vocabulary_))
       return clarified;
   }
+  if (auto order = put_topic(result))
+    return *order;
+  // "The red cube on the green one", where nothing else was asked.
+  if (!question_ || question_->move.type == DialogueMoveType::action_directive)
+    if (const auto order = std::ranges::find_if(move.alternatives, is_verbless);
+        order != move.alternatives.end() && !is_question) {
+      CompleteMove ordered{move, antecedents};
+      ordered.move.content = *order;
+      ordered.move.alternatives.clear();
+      ordered.move.type = DialogueMoveType::action_directive;
+      replace_one(ordered.move.content);
+      return ordered;
+    }
   if (clause_ && clause_->move.type == DialogueMoveType::assertion)
     if (auto statement = *clause_; correct_number(statement, move.content, antecedents))
       return statement;
@@ -329,6 +366,11 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
   CompleteMove move{reading_of(complete.move, response.reading), complete.antecedents};
   move.move.content = without_correction(std::move(move.move.content));
   unclear_.reset();
+  topic_.reset();
+  if (const auto* named = find_nominal(move.move.content, move.move.content.root);
+      named != nullptr && move.move.type == DialogueMoveType::none && move.move.problem.empty() &&
+      named->sort == "thing" && is_definite(*named) && !is_pronoun(*named))
+    topic_ = move;
   if (!response.asked_about.empty()) {
     unclear_ = move;
     asked_about_ = response.asked_about;

@@ -39,12 +39,15 @@ private:
   void replace_one(LogicalForm& form) const;
   void keep_landmark(CompleteMove& move) const;
   void resolve_there(CompleteMove& move) const;
+  std::optional<CompleteMove> put_topic(const CompleteMove& place) const;
 
   std::shared_ptr<const Vocabulary> vocabulary_;
   std::optional<CompleteMove> question_;
   /// The last question or statement.
   std::optional<CompleteMove> clause_;
   std::optional<CompleteMove> unclear_;
+  /// A thing that was only named: "the red cube."
+  std::optional<CompleteMove> topic_;
   /// Noun of the last thing that was spoken of, for which "one" stands.
   std::string noun_;
   /// Nominal of the unclear move that the other was asked about.

@@ -39,12 +39,21 @@ public:
   }
 
 private:
+  bool is_destination(const Nominal& x) const {
+    return std::ranges::any_of(form_.nominals, [&](const Nominal& action) {
+      return action.sort == "action" && dependent(form_, action, "Destination") == &x;
+    });
+  }
+
   /// A definite phrase is rather about what a definite phrase was about.
   bool is_alike(const Nominal& x) const {
     if (fragment_.sort == "thing")
       return x.sort == "thing" && vocabulary_.surroundings(x) == nullptr &&
              (!is_strict_ || is_definite(x) == is_definite(fragment_));
-    return x.sort == fragment_.sort && x.name != fragment_.name;
+    // "Move it left. No, to the right": both say where.
+    const auto is_place = [](const Nominal& y) { return y.sort == "region" || y.sort == "place"; };
+    const bool is_where = is_place(fragment_) && is_place(x) && is_destination(x);
+    return (x.sort == fragment_.sort || is_where) && x.name != fragment_.name;
   }
 
   /// "Which one is blue? And the other?" does not ask which other one is blue.

@@ -61,7 +61,9 @@ enum class WordClass {
   /// Words that are never left out: "unless", "almost".
   decisive,
   /// Phrases that begin a part of a request that only says why: "because", "so that I".
-  reason
+  reason,
+  /// Phrases that begin a remark beside a request, after a pause: "they look", "my son".
+  comment
 };
 
 /// Words with their categories and meanings, and the root categories of utterances. Read from a

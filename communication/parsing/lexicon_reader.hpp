@@ -25,6 +25,7 @@
 ///     telling says ask              # who is named beside them speaks or is spoken to
 ///     decisive unless almost        # words that are never left out
 ///     reason because so_that_i      # what begins a part of a request that only says why
+///     comment they_look my_son      # what begins a remark beside a request, after a pause
 ///
 ///     family Noun                   # what a group of words may be: categories and meanings
 ///       n[?number]<x> : @x:thing(* ^ <Number>?number)

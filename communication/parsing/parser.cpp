@@ -189,8 +189,11 @@ std::string IncrementalParse::text(std::size_t begin, std::size_t end) const {
 
 Unparsable IncrementalParse::unknown_word(std::size_t position) const {
   const auto& word = chart_.words()[position];
+  auto meant = parser_.lexicon().suggestions(word);
+  // The first letter is seldom wrong.
+  std::erase_if(meant, [&](const auto& x) { return x.front() != word.front(); });
   return {static_cast<std::int32_t>(position), 1, word, "the word \"" + word + "\" is not known",
-          parser_.lexicon().suggestions(word)};
+          std::move(meant)};
 }
 
 Unparsable IncrementalParse::incomplete(const Edge& edge) const {

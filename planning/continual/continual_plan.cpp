@@ -138,6 +138,9 @@ void ContinualPlan::failed(const std::string& why) {
   reason_ = PlanReason::action_failed;
   why_ = "'" + step().action + "' failed: " + why;
   status_.phase = PlanPhase::observing;
+  // That a place is chosen, which always succeeds, is no progress.
+  if (++failures_ >= options_.most_failures)
+    give_up("it failed " + std::to_string(failures_) + " times, the last time because " + why_);
 }
 
 void ContinualPlan::count(const std::string& why) {

@@ -12,6 +12,8 @@ struct ContinualPlanOptions {
   int most_in_a_row = 4;
   /// Steps after which a goal is given up.
   int most_steps = 100;
+  /// Steps that failed for one goal, whatever succeeded between them.
+  int most_failures = 12;
 };
 
 /// Decides what is done next for a goal: observe, plan, or act. It gets what came of that, and so
@@ -67,6 +69,7 @@ private:
   std::string done_;
   PlanReason reason_ = PlanReason::no_plan_yet;
   std::string why_ = "there is no plan yet";
+  int failures_ = 0;
 };
 
 } // namespace castor::planning

@@ -78,6 +78,28 @@ Offsets in_line_as_named(const Things& things) {
   return result;
 }
 
+/// The half that is nearer in front, each from left to right.
+Offsets in_two_rows(const Things& things) {
+  const auto depth = ranks(things, [](const TableThing& t) { return t.y; });
+  const auto in_front = (things.size() + 1) / 2;
+  const auto is_in_front = [&](std::size_t i) { return depth[i] < in_front; };
+  Offsets result(things.size());
+  for (const bool front : {true, false}) {
+    Things row;
+    for (std::size_t i = 0; i < things.size(); ++i)
+      if (is_in_front(i) == front)
+        row.push_back(things[i]);
+    const auto rank = ranks(row, [](const TableThing& t) { return t.x; });
+    for (std::size_t i = 0, next = 0; i < things.size(); ++i)
+      if (is_in_front(i) == front) {
+        const double along =
+          static_cast<double>(rank[next++]) - (static_cast<double>(row.size()) - 1) / 2;
+        result[i] = {along * spacing(things), (front ? -0.5 : 0.5) * spacing(things)};
+      }
+  }
+  return result;
+}
+
 Offsets in_ring(const Things& things, const Offset& middle) {
   const auto rank =
     ranks(things, [&](const TableThing& t) { return std::atan2(t.y - middle.y, t.x - middle.x); });
@@ -146,6 +168,8 @@ std::vector<TableSpot> arranged(std::string_view arrangement,
     return around(middle, in_line(things, spacing(things), 0), things, table);
   if (arrangement == "in-row-as-named")
     return around(middle, in_line_as_named(things), things, table);
+  if (arrangement == "in-two-rows")
+    return around(middle, in_two_rows(things), things, table);
   if (arrangement == "in-column")
     return around(middle, in_line(things, 0, spacing(things)), things, table);
   if (arrangement == "in-ring")

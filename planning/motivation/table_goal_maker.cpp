@@ -233,7 +233,8 @@ TableGoal TableGoalMaker::clear() {
   const auto& part = step_.places.front().relation;
   const auto other = words_for(opposites, part);
   if (other.empty())
-    return refusal("I have nowhere else to put the things.");
+    return refusal("I have nowhere else to put the things. I can sort them by colour or shape, put "
+                   "them in a row, or clear one side.");
   for (const auto& x : table_)
     if (!x.is_held && std::ranges::find(x.parts, part) != x.parts.end()) {
       if (x.is_kept)

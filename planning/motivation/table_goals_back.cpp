@@ -24,7 +24,7 @@ TableGoal TableGoalMaker::put_back() {
     std::erase_if(things_, [](const auto* x) { return !x->was_moved(); });
   for (const auto* x : things_) {
     if (x->waypoint_before.empty())
-      return refusal("I do not know where " + x->words + " was before.");
+      return refusal("I have not moved " + x->words + ": it is where I saw it first.");
     facts_.push_back("(= (pos " + x->object + ") " + x->waypoint_before + ')');
   }
   return goal("put " + listed(things_) + " back",

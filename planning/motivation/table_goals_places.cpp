@@ -58,6 +58,8 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement) {
   const auto words = std::string{words_for(arrangement_words, arrangement)};
   if (things_.size() < 2)
     return refusal("That takes two things at least.");
+  if (arrangement == "in-two-rows" && things_.size() < 4)
+    return refusal("Two rows take four things at least.");
   if (arrangement == "in-ring" && things_.size() < 3)
     return refusal("A circle takes three things at least.");
   if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
@@ -124,6 +126,8 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
                                                        std::string& where) {
   if (place.relation == "opposite-corner")
     return put_in_opposite_corner(where);
+  if (place.relation == "some-way")
+    return "I do not know which way: tell me to the left, to the right, to the front or back.";
   const auto words = words_for(part_words, place.relation);
   if (words.empty())
     return "I do not know where that is: tell me a part of the table, or a thing that is there.";

@@ -47,11 +47,9 @@ inline constexpr std::pair<std::string_view, std::string_view> part_words[] = {
 
 /// How several things stand.
 inline constexpr std::pair<std::string_view, std::string_view> arrangement_words[] = {
-  {"in-row", "in a row"},
-  {"in-row-as-named", "in a row"},
-  {"in-column", "one behind the other"},
-  {"in-ring", "in a circle"},
-  {"apart", "farther apart"}};
+  {"in-row", "in a row"},         {"in-row-as-named", "in a row"},
+  {"in-two-rows", "in two rows"}, {"in-column", "one behind the other"},
+  {"in-ring", "in a circle"},     {"apart", "farther apart"}};
 
 /// How far things go that are put further to a side, metres.
 struct Shift {

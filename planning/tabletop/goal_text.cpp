@@ -29,7 +29,7 @@ std::vector<std::string> parts_in(std::string_view goal) {
     // That it was given to somebody, too, is known by what was done.
     if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand" &&
         !part.starts_with("further-") && !part.starts_with("slightly-") && part != "on" &&
-        part != "on-top" && part != "roomiest" && part != "opposite-corner" &&
+        part != "on-top" && part != "roomiest" && part != "opposite-corner" && part != "some-way" &&
         !communication::is_arrangement(part))
       result.insert(std::move(part));
   }

@@ -142,6 +142,12 @@ TEST(Directives, WhatIsSaidInOtherWaysIsUnderstood) {
   EXPECT_EQ(result.right, result.all) << result.failures;
 }
 
+TEST(Directives, WhatIsSaidInEverydayWordsIsUnderstood) {
+  const auto result = figures_of("everyday.txt");
+  EXPECT_GE(result.all, 70U);
+  EXPECT_EQ(result.right, result.all) << result.failures;
+}
+
 TEST(Directives, MeasuredPlacesAndQuestionsAreUnderstood) {
   const auto result = figures_of("exact.txt");
   EXPECT_GE(result.all, 65U);

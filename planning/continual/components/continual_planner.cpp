@@ -43,6 +43,7 @@ class ContinualPlanner final : public ManagedComponent {
     ContinualPlanOptions options;
     options.most_in_a_row = static_cast<int>(replan_.get());
     options.most_steps = static_cast<int>(most_steps_.get());
+    options.most_failures = static_cast<int>(most_failures_.get());
     ContinualPlan plan(goal, agent_, options);
     status_ = here(action.address().id + " goal");
     state_ = here(action.address().id + " state");
@@ -205,6 +206,8 @@ class ContinualPlanner final : public ManagedComponent {
                                "plans and failures in a row, after which it gives up"};
   Option<std::int64_t> most_steps_{this, "most-steps", 100,
                                    "steps for one goal, after which it gives up"};
+  Option<std::int64_t> most_failures_{this, "most-failures", 12,
+                                      "steps that fail for one goal, after which it gives up"};
   Option<std::int64_t> keep_{this, "keep", 20, "goals that are over whose entries it keeps"};
   Option<std::chrono::milliseconds> outage_{
     this, "outage", std::chrono::seconds{5},

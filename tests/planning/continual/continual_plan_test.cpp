@@ -159,6 +159,21 @@ TEST_F(ContinualPlanTest, GivesUpAfterTooManySteps) {
   EXPECT_THAT(bounded.status().why, HasSubstr("after 2 steps"));
 }
 
+TEST_F(ContinualPlanTest, GivesUpAfterTooManyFailuresThoughOtherStepsSucceed) {
+  ContinualPlan bounded{{"(g)"}, "robby", {.most_failures = 3}};
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_FALSE(bounded.is_over());
+    bounded.observed({});
+    bounded.planned(found(PlanReason::state_changed, {look, go}));
+    bounded.succeeded();
+    bounded.observed({});
+    bounded.planned({PlanOutcome::kept, {}, PlanReason::none, {}, {}, {}});
+    bounded.failed("the door is shut");
+  }
+  EXPECT_EQ(bounded.phase(), PlanPhase::given_up);
+  EXPECT_THAT(bounded.status().why, HasSubstr("it failed 3 times"));
+}
+
 TEST_F(ContinualPlanTest, PlansAnewWhereAllStepsWereDoneInVain) {
   begin({go});
   plan.succeeded();

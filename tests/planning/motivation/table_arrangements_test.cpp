@@ -51,6 +51,22 @@ TEST(TableArrangements, AColumnGoesFromTheFrontToTheBack) {
   EXPECT_GT(column[0].y, column[1].y);
 }
 
+TEST(TableArrangements, OfTwoRowsTheNearerHalfIsInFront) {
+  const std::vector table{thing_at("a", 0.1, 0.05), thing_at("b", -0.15, -0.05),
+                          thing_at("c", 0, 0.1), thing_at("d", 0.05, -0.1),
+                          thing_at("e", -0.1, 0.12)};
+  const auto rows = arranged("in-two-rows", first(table, 5), table);
+  ASSERT_EQ(rows.size(), 5U);
+  // In front: b, d and a, from left to right; behind them e and c.
+  EXPECT_DOUBLE_EQ(rows[1].y, rows[3].y);
+  EXPECT_DOUBLE_EQ(rows[3].y, rows[0].y);
+  EXPECT_DOUBLE_EQ(rows[4].y, rows[2].y);
+  EXPECT_LT(rows[0].y, rows[2].y);
+  EXPECT_LT(rows[1].x, rows[3].x);
+  EXPECT_LT(rows[3].x, rows[0].x);
+  EXPECT_LT(rows[4].x, rows[2].x);
+}
+
 TEST(TableArrangements, ARingHasOneDistanceFromItsMiddle) {
   const std::vector table{thing_at("a", 0.02, 0.0), thing_at("b", -0.02, 0.02),
                           thing_at("c", 0.0, -0.03), thing_at("d", 0.2, 0.1)};

@@ -68,8 +68,10 @@ TEST(TableGoals, ClearingMovesAllToTheOtherSide) {
   EXPECT_EQ(formula({"Clear", {}, 0, {{"left", {}}}, {}}),
             "(and (in-part a right) (in-part c right))");
   EXPECT_EQ(refused({"Clear", {}, 0, {{"front", {}}}, {}}), "There is nothing at the front.");
-  EXPECT_EQ(refused({"Clear", {}, 0, {{"table", {}}}, {}}),
-            "I have nowhere else to put the things.");
+  EXPECT_EQ(
+    refused({"Clear", {}, 0, {{"table", {}}}, {}}),
+    "I have nowhere else to put the things. I can sort them by colour or shape, put them in a "
+    "row, or clear one side.");
 }
 
 TEST(TableGoals, SwappedThingsAreWhereTheOtherWas) {
@@ -80,7 +82,7 @@ TEST(TableGoals, SwappedThingsAreWhereTheOtherWas) {
 TEST(TableGoals, BackIsWhereItWasBefore) {
   EXPECT_EQ(formula({"PutBack", {"p/c"}, 0, {}, {}}), "(and (= (pos c) at-old))");
   EXPECT_EQ(refused({"PutBack", {"p/a"}, 0, {}, {}}),
-            "I do not know where the red ball was before.");
+            "I have not moved the red ball: it is where I saw it first.");
   EXPECT_EQ(formula({"PutBack", {"p/a", "p/c"}, 1, {}, {}}), "(and (= (pos c) at-old))");
   EXPECT_EQ(refused({"PutBack", {"p/a", "p/b"}, 1, {}, {}}), "There is nothing to put back.");
 }
