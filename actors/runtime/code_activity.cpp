@@ -1,5 +1,8 @@
 #include "castor/actors/runtime/code_activity.hpp"
 
+#include "castor/base/at_exit.hpp"
+
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -31,12 +34,17 @@ void CurrentActivity::set(const CodeActivity& x) {
 }
 
 void CurrentActivity::keep() {
-  auto text = to_string(own());
-  // Nobody reads the former text from then on.
-  set(nothing);
-  kept_text_ = std::move(text);
-  kept_ = {kept_text_};
-  set(kept_);
+  try {
+    auto text = to_string(own());
+    // Nobody reads the former text from then on.
+    set(nothing);
+    kept_text_ = std::move(text);
+    kept_ = {kept_text_};
+    set(kept_);
+  } catch (const std::bad_alloc&) {
+    // Called while an exception is on its way.
+    set(nothing);
+  }
 }
 
 std::string CurrentActivity::text() const {
@@ -49,9 +57,8 @@ std::string CurrentActivity::text() const {
     if (word & being_read)
       std::this_thread::yield();
   }
-  auto result = to_string(*activity_of(word));
-  current_.store(word, std::memory_order_release);
-  return result;
+  const AtExit read{[&] { current_.store(word, std::memory_order_release); }};
+  return to_string(*activity_of(word));
 }
 
 } // namespace castor

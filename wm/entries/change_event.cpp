@@ -1,7 +1,5 @@
 #include "castor/wm/entries/change_event.hpp"
 
-#include "castor/wm/entries/change_event_text.hpp"
-
 namespace castor {
 
 std::string_view to_string(Operation x) {
@@ -14,12 +12,6 @@ std::string_view to_string(Operation x) {
       return "DELETE";
   }
   return "UNKNOWN";
-}
-
-std::string to_string(const ChangeEvent& x) {
-  std::string result;
-  for_each_part(x, [&](std::string_view part) { result += part; });
-  return result;
 }
 
 } // namespace castor
