@@ -21,14 +21,14 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move);
 /// Whether it is not a phrase: somebody does something or something is so.
 bool is_clause(const LogicalForm& form, const Nominal& x);
 
-/// Takes an utterance for a request if it can be read so and the lexicon has an action for its verb,
-/// and gives the move that action. "Find the ball" asks where the ball is only where nobody finds
-/// things, "give me the ball" asks what there is only where nobody gives; "can you take the ball?"
-/// asks to take it where somebody takes things.
+/// Takes an utterance for a request if it can be read so and the lexicon has an action for its
+/// verb, and gives the move that action. "Find the ball" asks where the ball is only where nobody
+/// finds things, "give me the ball" asks what there is only where nobody gives; "can you take the
+/// ball?" asks to take it where somebody takes things.
 void take_requests(DialogueMove& move, const WordMeanings& meanings);
 
 /// "I take 'squre' for 'square'. I leave out 'my notes say'.", if words of the utterance were taken
-/// for others or left out; else empty.
+/// for others or left out, and what is not understood beside a request; else empty.
 std::string said_back(const DialogueMove& move);
 
 /// What to say of an utterance that is not understood, for people to read.

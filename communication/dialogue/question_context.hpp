@@ -14,7 +14,7 @@
 namespace castor::communication {
 
 /// The questions of a dialogue that later moves take up: "the red one" after "which ball do you
-/// mean?", and "and the disc?" after "what colour is the ball?".
+/// mean?", "and the disc?" after "what colour is the ball?", and "yes" after "shall I take it?".
 class QuestionContext {
 public:
   explicit QuestionContext(std::shared_ptr<const Vocabulary> vocabulary)
@@ -45,6 +45,8 @@ private:
   /// The last question or statement.
   std::optional<CompleteMove> clause_;
   std::optional<CompleteMove> unclear_;
+  /// A request that the robot has asked whether to do.
+  std::optional<CompleteMove> proposed_;
   /// Noun of the last thing that was spoken of, for which "one" stands.
   std::string noun_;
   /// Nominal of the unclear move that the other was asked about.

@@ -61,7 +61,11 @@ enum class WordClass {
   /// Words that are never left out: "unless", "almost".
   decisive,
   /// Phrases that begin a part of a request that only says why: "because", "so that I".
-  reason
+  reason,
+  /// Whole utterances by which somebody agrees to what is proposed, or declines it: "please do",
+  /// "better not".
+  agreement,
+  refusal
 };
 
 /// Words with their categories and meanings, and the root categories of utterances. Read from a

@@ -25,6 +25,8 @@
 ///     telling says ask              # who is named beside them speaks or is spoken to
 ///     decisive unless almost        # words that are never left out
 ///     reason because so_that_i      # what begins a part of a request that only says why
+///     agreement please_do go_on     # whole utterances that agree to what is proposed
+///     refusal better_not            # or decline it
 ///
 ///     family Noun                   # what a group of words may be: categories and meanings
 ///       n[?number]<x> : @x:thing(* ^ <Number>?number)
