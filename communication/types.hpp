@@ -133,6 +133,20 @@ struct SpellingCorrection {
   friend bool operator==(const SpellingCorrection&, const SpellingCorrection&) = default;
 };
 
+/// A request in an utterance of which the rest is not understood: it is only done if who said it
+/// agrees to it.
+struct PartialRequest {
+  /// The words that are not understood; empty if they say nothing.
+  std::string left_out;
+  /// Those of the request, or if the place is not understood, what is to be put somewhere, as the
+  /// robot says it: "put your ball". Empty once another fragment has changed what is meant.
+  std::string words;
+  /// It is the place where something is to go that is not understood, so that it is asked for.
+  bool lacks_place = false;
+
+  friend bool operator==(const PartialRequest&, const PartialRequest&) = default;
+};
+
 enum class InterpretationState {
   /// More words may come; the forms are partial ones.
   unfinished,
@@ -160,6 +174,8 @@ struct PackedLogicalForm {
   std::vector<PackedNominal> nominals;
   std::vector<Unparsable> unparsable;
   std::vector<SpellingCorrection> corrections;
+  /// If only a request in the utterance is understood, which the form is of.
+  std::optional<PartialRequest> partial = {};
 
   friend bool operator==(const PackedLogicalForm&, const PackedLogicalForm&) = default;
 };
@@ -216,6 +232,9 @@ struct DialogueMove {
   EntryPointer<PhonString> utterance;
   /// Type name of the action that a directive asks for, as the lexicon's verbs say; else empty.
   std::string action;
+  /// If it is a directive that is only done if the speaker agrees, since the rest of the utterance
+  /// is not understood.
+  std::optional<PartialRequest> partial = {};
 };
 
 /// Somebody points at a place on the table: what "this" and "the cube here" are about, until
@@ -321,12 +340,14 @@ struct MoveReferents {
   std::vector<DirectiveStep> steps = {};
   /// It is only asked whether the steps are possible.
   bool asks_whether_possible = false;
-  /// A request is not clear: the robot asks back, or says why it cannot be.
+  /// A request is not clear, or not agreed to: the robot asks back, or says why it cannot be.
   bool is_unclear = false;
   /// The steps take the place of those of the request before: "no, to the left of it".
   bool corrects = false;
   /// The steps are to be done before what was asked for: "take the box away first".
   bool comes_first = false;
+  /// Utterance with the request that the robot has proposed to do, and the speaker agrees to.
+  std::optional<EntryPointer<PhonString>> agrees_to = {};
 };
 
 /// Relation of a turn of a dialogue to an earlier one.
@@ -398,16 +419,17 @@ CASTOR_REFLECT(PackedRelation, mode, dependent, readings)
 CASTOR_REFLECT(PackedNominal, name, sorts, propositions, features, relations)
 CASTOR_REFLECT(Unparsable, first_word, words, text, reason, suggestions)
 CASTOR_REFLECT(SpellingCorrection, word, meant)
+CASTOR_REFLECT(PartialRequest, left_out, words, lacks_place)
 CASTOR_REFLECT_ENUM(InterpretationState, unfinished, finished, pruned)
 CASTOR_REFLECT(PackedLogicalForm, utterance, text, turn, string_position, state, readings, roots,
-               nominals, unparsable, corrections)
+               nominals, unparsable, corrections, partial)
 CASTOR_REFLECT(InterpretationSupport, head, mode, dependent, supported)
 CASTOR_REFLECT_ENUM(DialogueMoveType, none, assertion, action_directive, question_w, question_yn,
                     opening, closing, accept, reject, small_talk)
 CASTOR_REFLECT(ContextSource, component)
 CASTOR_REFLECT(ContextInfo, form, supports)
 CASTOR_REFLECT(DialogueMove, type, content, alternatives, corrections, turn, problem, utterance,
-               action)
+               action, partial)
 CASTOR_REFLECT(Pointing, x, y, time, held)
 CASTOR_REFLECT(PointingUse, pointing, version, taken_up)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)
@@ -415,7 +437,7 @@ CASTOR_REFLECT(PronounReferents, nominal, proxies)
 CASTOR_REFLECT(DirectivePlace, relation, landmarks, distance)
 CASTOR_REFLECT(DirectiveStep, action, things, number, places, by)
 CASTOR_REFLECT(MoveReferents, move, turn, understood, pronouns, referents, pointing, steps,
-               asks_whether_possible, is_unclear, corrects, comes_first)
+               asks_whether_possible, is_unclear, corrects, comes_first, agrees_to)
 CASTOR_REFLECT_ENUM(RhetoricalRelation, narration, answer, acceptance, correction,
                     clarification_question, clarification, greeting)
 CASTOR_REFLECT(DialogueTurn, speaker, contribution, type, relation, to)

@@ -8,6 +8,7 @@
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/presence.hpp"
+#include "castor/communication/dialogue/proposals.hpp"
 #include "castor/communication/dialogue/question_context.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
@@ -95,7 +96,9 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
       for (auto& proxy : told)
         wait_until_bound(proxy);
     }
-    if (asks_to_act(whole)) {
+    if (whole.partial) {
+      referents.is_unclear = true;
+    } else if (asks_to_act(whole)) {
       referents.steps = with_scene(binding(), [&](SceneKnowledge& scene) {
         return steps_asked_for(whole, from_entry(spoken_of.pronouns), scene);
       });
@@ -104,6 +107,8 @@ class CommunicationBindingMonitor final : public AsksBinding<binding::BindingMon
       referents.comes_first = is_to_be_first(whole.content);
       referents.is_unclear = whole.problem.empty() && referents.steps.empty() &&
                              is_handling(whole.content, vocabulary(binding())->meanings());
+      if (whole.utterance != said.utterance && is_agreement(said))
+        referents.agrees_to = whole.utterance;
     }
     if (is_known)
       return;

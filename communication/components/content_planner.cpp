@@ -1,7 +1,9 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/communication/components/asks_binding.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/presence.hpp"
+#include "castor/communication/dialogue/proposals.hpp"
 #include "castor/communication/dialogue/question_context.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
@@ -9,6 +11,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/planning/motivation/types.hpp"
+#include "castor/planning/tabletop/types.hpp"
 
 #include <chrono>
 #include <functional>
@@ -16,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace castor::communication {
 
@@ -85,6 +89,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     if (const auto text = about_name(reading_of(meant.move, response.reading)))
       response = {RhetoricalRelation::acceptance, {}, *text, {}};
     questions_->note(meant, response);
+    if (response.proposes)
+      response.text = proposed_by(meant, response);
     // What is not clear is asked back, and not asked of who does it.
     if (const auto text = referents.is_unclear ? std::nullopt : about_motives(move, referents))
       response = {RhetoricalRelation::answer, {}, *text, {}};
@@ -98,6 +104,32 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
         reply_id(referents.move, batch.items().size()),
         ContentPlanningGoal{content, simpler, referents.move, move.utterance, response.relation});
     write(batch);
+  }
+
+  /// Asks in the words of whoever would do it, or says why that is impossible. As the response says
+  /// if nobody knows of the things.
+  std::string proposed_by(const CompleteMove& meant, const Response& response) {
+    if (table_->empty())
+      return response.text;
+    const auto steps = with_scene(binding_.get(), [&](SceneKnowledge& scene) {
+      return steps_asked_for(reading_of(meant.move, response.reading), meant.antecedents, scene);
+    });
+    std::vector<std::string> deeds;
+    for (const auto& step : steps)
+      try {
+        auto told = call<planning::TableGoalRequest, planning::TableGoalReply>(
+          table_, {step, false}, {.timeout = std::chrono::seconds{3}});
+        // Of later steps nobody knows yet.
+        if (told.is_impossible && deeds.empty())
+          return told.refusal;
+        if (told.words.empty())
+          return response.text;
+        deeds.push_back(std::move(told.words));
+      } catch (const WorkingMemoryException& e) {
+        warning("{} does not say what a request comes to: {}", table_.get(), e.what());
+        return response.text;
+      }
+    return deeds.empty() ? response.text : proposal_of(deeds);
   }
 
   /// What the robot does and why, and nothing for a request, which is replied to by `tell`. None if

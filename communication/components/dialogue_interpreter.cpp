@@ -42,6 +42,7 @@ class DialogueInterpreter final : public UsesLexicon<UnmanagedComponent> {
     move.turn = form.turn;
     move.utterance = form.utterance;
     move.corrections = form.corrections;
+    move.partial = form.partial;
     if (!is_understood(form))
       move.problem = problem_of(form);
     else

@@ -2,6 +2,8 @@
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/communication/components/uses_lexicon.hpp"
 #include "castor/communication/dialogue/asides.hpp"
+#include "castor/communication/dialogue/partial_requests.hpp"
+#include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
@@ -81,7 +83,8 @@ class UtteranceParser final : public UsesLexicon<UnmanagedComponent> {
     auto utterance = read<PhonString>(address);
     IncrementalParse parse{*parser_};
     auto words = words_of(utterance->word_sequence);
-    const auto corrections = correct_spelling(words, parser_->lexicon());
+    const auto said = words;
+    auto corrections = correct_spelling(words, parser_->lexicon());
     for (auto& word : words) {
       parse.add(word);
       tell(address, parse.form(), *utterance);
@@ -90,6 +93,11 @@ class UtteranceParser final : public UsesLexicon<UnmanagedComponent> {
     auto form = parse.form();
     if (auto other = reparsed(*parser_, words, form))
       form = std::move(*other);
+    else if (!is_understood(form))
+      if (auto part = partly_understood(*parser_, said, words, corrections)) {
+        form = std::move(*part);
+        corrections.clear();
+      }
     form.corrections.insert(form.corrections.begin(), corrections.begin(), corrections.end());
     return tell(address, std::move(form), *utterance);
   }

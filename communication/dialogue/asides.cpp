@@ -57,9 +57,10 @@ bool is_before_noun(std::string_view word) {
   return is_one_of(word, {"the", "a", "an", "it", "what", "which", "every", "each", "no"});
 }
 
-/// \param is_known_kept whether an aside that has a meaning of its own is kept: "thanks"
+} // namespace
+
 WordList without_asides(std::span<const std::string> words, const Lexicon& lexicon,
-                        bool is_known_kept = false) {
+                        bool is_known_kept) {
   WordList result;
   for (std::size_t i = 0; i < words.size();) {
     const bool may_be_aside = i == 0 || !is_before_noun(words[i - 1]);
@@ -82,21 +83,13 @@ WordList without_asides(std::span<const std::string> words, const Lexicon& lexic
   return result;
 }
 
+namespace {
+
 /// Whether an unknown word may say where, when or how something is: "underwater", "painted".
 bool may_be_adverb(std::string_view word) {
   constexpr std::array endings{"ly", "day", "where", "water", "side", "wards", "ing", "ed"};
   return std::ranges::any_of(endings, [&](auto* ending) { return word.ends_with(ending); });
 }
-
-/// What a part that may be left out consists of.
-struct Frame {
-  /// Words that are not known.
-  std::size_t unknown = 0;
-  /// Whether one of these may be an adverb.
-  bool has_adverb = false;
-  /// Whether somebody speaks or is spoken to: "I", "your".
-  bool has_person = false;
-};
 
 /// Whether somebody is named at a position, since it is told there what they say or hear: "Zorg
 /// says", "tell the zorgs".
@@ -109,7 +102,8 @@ bool is_beside_telling(std::span<const std::string> words, std::size_t i, const 
   return tells(i + 1) || (i >= before && tells(i - before));
 }
 
-/// Nothing if the part says something that matters.
+} // namespace
+
 std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon& lexicon) {
   Frame result;
   if (words.size() > longest_frame)
@@ -145,6 +139,8 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
     return std::nullopt;
   return result;
 }
+
+namespace {
 
 /// That of an utterance that is understood.
 LogicalForm first_reading(const PackedLogicalForm& form) {

@@ -3,7 +3,9 @@
 #include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/types.hpp"
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,5 +30,22 @@ std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser,
 /// \param form of the words as they stand
 std::optional<PackedLogicalForm> reparsed(Parser& parser, const std::vector<std::string>& words,
                                           const PackedLogicalForm& form);
+
+/// What a part that may be left out consists of.
+struct Frame {
+  /// Words that are not known.
+  std::size_t unknown = 0;
+  /// Whether one of these may be an adverb.
+  bool has_adverb = false;
+  /// Whether somebody speaks or is spoken to: "I", "your".
+  bool has_person = false;
+};
+
+/// Nothing if the part says something that matters.
+std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon& lexicon);
+
+/// \param is_known_kept whether an aside that has a meaning of its own is kept: "thanks"
+std::vector<std::string> without_asides(std::span<const std::string> words, const Lexicon& lexicon,
+                                        bool is_known_kept = false);
 
 } // namespace castor::communication

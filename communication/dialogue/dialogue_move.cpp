@@ -165,6 +165,9 @@ std::string said_back(const DialogueMove& move) {
     taken += '.';
   if (!left_out.empty())
     taken += (taken.empty() ? "" : " ") + left_out + '.';
+  if (move.partial && !move.partial->lacks_place && !move.partial->left_out.empty())
+    taken +=
+      (taken.empty() ? "" : " ") + ("I do not understand \"" + move.partial->left_out) + "\".";
   return taken;
 }
 

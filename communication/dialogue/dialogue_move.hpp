@@ -31,7 +31,7 @@ bool is_clause(const LogicalForm& form, const Nominal& x);
 void take_requests(DialogueMove& move, const WordMeanings& meanings);
 
 /// "I take 'squre' for 'square'. I leave out 'my notes say'.", if words of the utterance were taken
-/// for others or left out; else empty.
+/// for others or left out, and what is not understood beside a request; else empty.
 std::string said_back(const DialogueMove& move);
 
 /// What to say of an utterance that is not understood, for people to read.

@@ -5,6 +5,7 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
+#include "castor/communication/dialogue/proposals.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
@@ -110,6 +111,22 @@ bool is_opposite(const std::string& a, const std::string& b) {
 bool is_same_again(const LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
   return root != nullptr && root->sort == "action" && root->proposition == "same";
+}
+
+bool is_place(const LogicalForm& fragment) {
+  const auto* root = find_nominal(fragment, fragment.root);
+  return root != nullptr && (root->sort == "region" || root->sort == "place");
+}
+
+/// A fragment completes a request of which only a part was understood. "Where shall I put it?" "On
+/// the left": then all is.
+void take_into_proposal(DialogueMove& request, const LogicalForm& fragment) {
+  if (!request.partial)
+    return;
+  if (request.partial->lacks_place && is_place(fragment))
+    request.partial.reset();
+  else
+    request.partial->words.clear();
 }
 
 /// The region that a clause that asks for things says they are in, or where a request says that
@@ -250,13 +267,21 @@ std::optional<CompleteMove> QuestionContext::put_topic(const CompleteMove& place
 }
 
 void QuestionContext::rename(const RenamedThings& renamed) {
-  for (auto* move : {&question_, &clause_, &unclear_, &topic_})
+  for (auto* move : {&question_, &clause_, &unclear_, &topic_, &proposed_})
     if (*move)
       communication::rename((*move)->antecedents, renamed);
 }
 
 CompleteMove QuestionContext::complete(const DialogueMove& said,
                                        const Antecedents& antecedents) const {
+  if (proposed_ && said.problem.empty() && is_agreement(said)) {
+    auto agreed = *proposed_;
+    agreed.move.turn = said.turn;
+    agreed.move.partial.reset();
+    return agreed;
+  }
+  if (proposed_ && said.problem.empty() && is_refusal(said))
+    return {as_refusal_of_proposal(said), antecedents};
   auto move = with_what_is_the_same(said);
   if (const auto* root = find_nominal(move.content, move.content.root);
       root != nullptr && is_same_again(move.content) && !feature(*root, "More").empty()) {
@@ -264,6 +289,8 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
       return {move, antecedents};
     auto again = *question_;
     again.move.turn = move.turn;
+    if (again.move.partial)
+      again.move.partial->words.clear();
     again.move.content = repeated(std::move(again.move.content), feature(*root, "More"));
     again.move.alternatives.clear();
     return again;
@@ -308,8 +335,10 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
     return result;
   if (unclear_) {
     auto clarified = *unclear_;
-    if (clarify(clarified, asked_about_, move.content, antecedents, *vocabulary_))
+    if (clarify(clarified, asked_about_, move.content, antecedents, *vocabulary_)) {
+      take_into_proposal(clarified.move, move.content);
       return clarified;
+    }
   }
   if (auto order = put_topic(result))
     return *order;
@@ -330,6 +359,7 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
   if (question_ && !is_about_any(move.content)) {
     auto question = *question_;
     if (substitute(question, move.content, antecedents, *vocabulary_)) {
+      take_into_proposal(question.move, move.content);
       for (auto& alternative : move.alternatives)
         if (auto other = *question_; substitute(other, alternative, antecedents, *vocabulary_))
           question.move.alternatives.push_back(std::move(other.move.content));
@@ -371,6 +401,9 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
       named != nullptr && move.move.type == DialogueMoveType::none && move.move.problem.empty() &&
       named->sort == "thing" && is_definite(*named) && !is_pronoun(*named))
     topic_ = move;
+  proposed_.reset();
+  if (response.proposes)
+    proposed_ = move;
   if (!response.asked_about.empty()) {
     unclear_ = move;
     asked_about_ = response.asked_about;

@@ -14,7 +14,7 @@
 namespace castor::communication {
 
 /// The questions of a dialogue that later moves take up: "the red one" after "which ball do you
-/// mean?", and "and the disc?" after "what colour is the ball?".
+/// mean?", "and the disc?" after "what colour is the ball?", and "yes" after "shall I take it?".
 class QuestionContext {
 public:
   explicit QuestionContext(std::shared_ptr<const Vocabulary> vocabulary)
@@ -48,6 +48,8 @@ private:
   std::optional<CompleteMove> unclear_;
   /// A thing that was only named: "the red cube."
   std::optional<CompleteMove> topic_;
+  /// A request that the robot has asked whether to do.
+  std::optional<CompleteMove> proposed_;
   /// Noun of the last thing that was spoken of, for which "one" stands.
   std::string noun_;
   /// Nominal of the unclear move that the other was asked about.

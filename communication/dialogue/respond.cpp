@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
+#include "castor/communication/dialogue/proposals.hpp"
 #include "castor/communication/dialogue/responder.hpp"
 #include "castor/communication/dialogue/small_talk.hpp"
 
@@ -50,8 +51,11 @@ Response respond(Responder& responder, DialogueMoveType type, const LogicalForm&
       return say(RhetoricalRelation::greeting, closing("bye"));
     case DialogueMoveType::small_talk:
       return say(RhetoricalRelation::answer, small_talk(content, meanings));
-    case DialogueMoveType::accept:
     case DialogueMoveType::reject:
+      if (is_refusal_of_proposal(content))
+        return say(RhetoricalRelation::clarification_question, "What shall I do then?");
+      return say(RhetoricalRelation::acceptance, marker("ok"));
+    case DialogueMoveType::accept:
       return say(RhetoricalRelation::acceptance, marker("ok"));
     case DialogueMoveType::none:
       break;
@@ -92,6 +96,8 @@ Response respond(const DialogueMove& move, const Antecedents& antecedents, Scene
     try {
       auto result =
         responder.described(respond_to_all(responder, type, content, antecedents, scene));
+      if (move.partial && type == DialogueMoveType::action_directive)
+        result = proposal(*move.partial, content);
       result.reading = reading;
       return result;
     } catch (const Uninterpretable& why) {

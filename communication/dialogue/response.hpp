@@ -25,6 +25,8 @@ struct Response {
   std::string asked_about;
   /// The reading of the move that is replied to: 0 for its content, 1 for the first alternative.
   std::size_t reading = 0;
+  /// Whether it is asked if a request is to be done.
+  bool proposes = false;
 };
 
 /// \param simpler said if there are no words for the content

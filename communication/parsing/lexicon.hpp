@@ -63,7 +63,11 @@ enum class WordClass {
   /// Phrases that begin a part of a request that only says why: "because", "so that I".
   reason,
   /// Phrases that begin a remark beside a request, after a pause: "they look", "my son".
-  comment
+  comment,
+  /// Whole utterances by which somebody agrees to what is proposed, or declines it: "please do",
+  /// "better not".
+  agreement,
+  refusal
 };
 
 /// Words with their categories and meanings, and the root categories of utterances. Read from a

@@ -23,13 +23,15 @@ constexpr std::size_t max_bytes = std::size_t{4} << 20;
 constexpr std::size_t max_variables = 60;
 
 const std::vector<std::string_view> keywords = {
-  "feature", "root",    "raise",    "call",   "filler",  "aside",  "frame", "person",
-  "name",    "telling", "decisive", "reason", "comment", "family", "words", "nouns"};
+  "feature", "root",     "raise",  "call",    "filler",    "aside",   "frame",  "person", "name",
+  "telling", "decisive", "reason", "comment", "agreement", "refusal", "family", "words",  "nouns"};
 
 const std::map<std::string_view, WordClass> word_classes = {
-  {"aside", WordClass::aside},   {"frame", WordClass::frame},     {"person", WordClass::person},
-  {"name", WordClass::name},     {"telling", WordClass::telling}, {"decisive", WordClass::decisive},
-  {"reason", WordClass::reason}, {"comment", WordClass::comment}};
+  {"aside", WordClass::aside},         {"frame", WordClass::frame},
+  {"person", WordClass::person},       {"name", WordClass::name},
+  {"telling", WordClass::telling},     {"decisive", WordClass::decisive},
+  {"reason", WordClass::reason},       {"comment", WordClass::comment},
+  {"agreement", WordClass::agreement}, {"refusal", WordClass::refusal}};
 
 /// Takes "{-1.5}" off the end of a piece.
 double take_weight(Piece& piece) {

@@ -26,6 +26,8 @@
 ///     decisive unless almost        # words that are never left out
 ///     reason because so_that_i      # what begins a part of a request that only says why
 ///     comment they_look my_son      # what begins a remark beside a request, after a pause
+///     agreement please_do go_on     # whole utterances that agree to what is proposed
+///     refusal better_not            # or decline it
 ///
 ///     family Noun                   # what a group of words may be: categories and meanings
 ///       n[?number]<x> : @x:thing(* ^ <Number>?number)

@@ -6,6 +6,7 @@
 #include "castor/wm/values/reflect.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct TableGoalReply {
   std::string result;
   /// Proxies of the things that it is about: of "one of the balls" the one that was chosen.
   std::vector<std::string> things = {};
+  /// Whether the refusal says why there is no goal.
+  bool is_impossible = false;
 };
 
 /// Entry: why a step of the goal that is pursued could not be done. Its id is `table_problem`.
@@ -118,6 +121,8 @@ inline std::string hidden_proxy(const std::string& name) {
 struct RequestedStep {
   EntryPointer<communication::DialogueMove> move;
   communication::DirectiveStep what;
+  /// The utterance that asks for it, if the move only agrees to that.
+  std::optional<EntryPointer<communication::PhonString>> agrees_to = {};
 
   friend bool operator==(const RequestedStep&, const RequestedStep&) = default;
 };
@@ -143,8 +148,8 @@ inline constexpr const char* requested_steps = "requested steps";
 
 CASTOR_REFLECT(TableProblem, reason, help)
 CASTOR_REFLECT(TableGoalRequest, step, begins)
-CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result, things)
-CASTOR_REFLECT(RequestedStep, move, what)
+CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result, things, is_impossible)
+CASTOR_REFLECT(RequestedStep, move, what, agrees_to)
 CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopped)
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,

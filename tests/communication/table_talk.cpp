@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
+#include "castor/communication/dialogue/partial_requests.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/presence.hpp"
 #include "castor/communication/dialogue/salience.hpp"
@@ -63,6 +64,7 @@ Reply TableTalk::say_sentence(const std::string& text) {
   auto& parser = language.parser;
   auto& realiser = language.realiser;
   auto words = words_of(text);
+  const auto said = words;
   DialogueMove move;
   move.corrections = correct_spelling(words, parser.lexicon());
   IncrementalParse parse{parser};
@@ -72,6 +74,12 @@ Reply TableTalk::say_sentence(const std::string& text) {
   auto form = parse.form();
   if (auto other = reparsed(parser, words, form))
     form = std::move(*other);
+  else if (!is_understood(form))
+    if (auto part = partly_understood(parser, said, words, move.corrections)) {
+      form = std::move(*part);
+      move.corrections.clear();
+    }
+  move.partial = form.partial;
   move.corrections.insert(move.corrections.end(), form.corrections.begin(), form.corrections.end());
   form.text = text;
   move.turn = static_cast<std::int32_t>(history_.size());
@@ -112,9 +120,10 @@ Reply TableTalk::say_sentence(const std::string& text) {
   referents.pronouns = to_entry(meant.antecedents);
   if (meant.move.type == DialogueMoveType::assertion)
     tell_of(meant.move, referents);
-  reply.steps = with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
-    return steps_asked_for(reading_of(meant.move, response.reading), meant.antecedents, scene);
-  });
+  if (!meant.move.partial)
+    reply.steps = with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {
+      return steps_asked_for(reading_of(meant.move, response.reading), meant.antecedents, scene);
+    });
   referents.is_unclear = reply.steps.empty() && meant.move.problem.empty() &&
                          asks_to_act(meant.move) &&
                          is_handling(meant.move.content, vocabulary_->meanings());
@@ -128,11 +137,11 @@ Reply TableTalk::say_sentence(const std::string& text) {
   if (!response.text.empty())
     reply.text += (reply.text.empty() ? "" : " ") + response.text;
   for (auto& sentence : response.sentences) {
-    auto said = realiser.realise(sentence.content);
-    if (!said && !sentence.simpler.nominals.empty())
-      said = realiser.realise(sentence.simpler);
-    reply.silences += said ? 0 : 1;
-    reply.text += (reply.text.empty() ? "" : " ") + said.value_or("<no words>");
+    auto spoken = realiser.realise(sentence.content);
+    if (!spoken && !sentence.simpler.nominals.empty())
+      spoken = realiser.realise(sentence.simpler);
+    reply.silences += spoken ? 0 : 1;
+    reply.text += (reply.text.empty() ? "" : " ") + spoken.value_or("<no words>");
   }
   return reply;
 }

@@ -253,6 +253,28 @@ TEST_F(PlayMateIsAsked, AboutThingsByTheirNamesAfterTheyWereMoved) {
   EXPECT_THAT(said(), testing::Contains(testing::HasSubstr("I hold the blue ball now")));
 }
 
+TEST_F(PlayMateIsAsked, InWordsThatItUnderstandsInPart) {
+  say("Would you be a love and pass me the green cube?", "Because", {},
+      {{"Shall I give you the green cube?", "Better not."},
+       {"What shall I do then?", "Put the red cube a bit to the right, and be gentle."},
+       {"Shall I put the red cube a little to the right?", "Please do."},
+       {"right now.", "Why did you move the cube?"}});
+  EXPECT_THAT(said(), testing::Contains("I do not understand \"would you be a love and\"."));
+  EXPECT_THAT(said(),
+              testing::Contains("Because you said 'Put the red cube a bit to the right, and "
+                                "be gentle'."));
+  EXPECT_LT(std::hypot(place("the green cube").x - 0.20, place("the green cube").y + 0.06), 0.01);
+  EXPECT_NEAR(place("the red cube").x, 0.06, 0.015);
+}
+
+TEST_F(PlayMateIsAsked, AndDoesNothingUnlessPeopleAgree) {
+  say("Would you be a love and pass me the green cube?", "I have nothing to do", {},
+      {{"Shall I give you the green cube?", "What colour is the cylinder?"},
+       {"yellow.", "Yes."},
+       {"Ok.", "Are you done?"}});
+  EXPECT_LT(std::hypot(place("the green cube").x - 0.20, place("the green cube").y + 0.06), 0.01);
+}
+
 TEST_F(PlayMateIsAsked, ForWhatCannotBe) {
   say("What is in your hand?", "Because", {},
       {{"There is nothing.", "Put the red cube on the blue ball."},

@@ -53,7 +53,11 @@ protected:
 
   /// The sentence, without the sign at its end.
   std::string words_of(const communication::DialogueMove& move) {
-    auto text = follow(move.utterance)->word_sequence;
+    return words_of(*follow(move.utterance));
+  }
+
+  static std::string words_of(const communication::PhonString& utterance) {
+    auto text = utterance.word_sequence;
     while (text.ends_with('.') || text.ends_with('!') || text.ends_with('?'))
       text.pop_back();
     return text;

@@ -73,7 +73,7 @@ class TableExecutor final : public FindsPlaces {
       remember();
     }
     if (goal.wish != TableWish::goal)
-      return {goal.words, {}, {}, {}, {}};
+      return {goal.words, {}, {}, {}, {}, goal.wish == TableWish::refusal};
     auto reached = request.begins ? memory_.begin(goal) : AchieveGoal{goal.formula};
     if (request.begins) {
       remember();

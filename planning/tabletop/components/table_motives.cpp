@@ -63,7 +63,9 @@ class TableMotives final : public HearsRequests {
   }
 
   std::string reason_of(const RequestedStep& step) {
-    return speaker_.get() + " said '" + words_of(*follow(step.move)) + "'";
+    const auto said =
+      step.agrees_to ? words_of(*follow(*step.agrees_to)) : words_of(*follow(step.move));
+    return speaker_.get() + " said '" + said + "'";
   }
 
   void arrived(const Address& referents) override { arrived_.push_back(referents); }
@@ -121,7 +123,7 @@ class TableMotives final : public HearsRequests {
       else if (x.action == "Forbid" || x.action == "Allow")
         restrain(referents.move, x);
       else
-        steps.push_back({referents.move, x});
+        steps.push_back({referents.move, x, referents.agrees_to});
     if (steps.empty())
       return;
     const bool has_to_wait = (queue_.is_busy() || !queue_.steps().waiting.empty()) &&
