@@ -311,8 +311,11 @@ class ArmExecutor final : public ResumesManipulation {
   std::optional<ActionResult> confirmed_at(const SeenThing& thing, const std::optional<Pose>& goal,
                                            const TablePlace& to) {
     const auto* seen = find_like(things_, thing, goal->position, near_);
-    if (seen)
+    if (seen) {
+      if (to.on.address.id.empty())
+        placed_.put(seen->id, thing, *goal);
       return succeeded_at(*seen);
+    }
     // What stands on another thing may be one thing with it for vision.
     const bool is_gone = !find_like(things_, thing, thing.thing.pose.position, near_);
     if (!to.on.address.id.empty() && is_gone && !state()->holds)

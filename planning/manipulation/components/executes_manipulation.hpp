@@ -10,6 +10,7 @@
 #include "castor/planning/manipulation/joint_watch.hpp"
 #include "castor/planning/manipulation/kinematics.hpp"
 #include "castor/planning/manipulation/manipulation_planner.hpp"
+#include "castor/planning/manipulation/placed_things.hpp"
 #include "castor/planning/manipulation/reach_map.hpp"
 #include "castor/planning/manipulation/types.hpp"
 #include "castor/planning/manipulation/way_between.hpp"
@@ -172,6 +173,7 @@ protected:
       wait();
     }
     things_ = look_at_table(placement());
+    placed_.correct(things_);
     let_go_.reset();
     return {};
   }
@@ -358,6 +360,7 @@ protected:
   /// The one that runs, or null.
   ActionInProgress* action_ = nullptr;
   std::vector<SeenThing> things_;
+  PlacedThings placed_;
   /// In the tool's frame.
   std::optional<NamedSolid> held_;
   /// In the arm's frame; until vision has looked.
