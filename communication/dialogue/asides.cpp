@@ -274,6 +274,8 @@ std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser, const Wor
 
 std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
                                           const PackedLogicalForm& form) {
+  if (auto result = parsed_without_asking(parser, words))
+    return result;
   if (is_understood(form))
     return std::nullopt;
   if (auto result = parsed_without_asides(parser, words))

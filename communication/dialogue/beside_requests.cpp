@@ -148,6 +148,19 @@ std::optional<PackedLogicalForm> without_manner(Parser& parser, const WordList& 
 
 } // namespace
 
+std::optional<PackedLogicalForm> parsed_without_asking(Parser& parser, const WordList& words) {
+  constexpr std::array<std::string_view, 4> modals{"can", "could", "will", "would"};
+  if (words.size() < 3 || std::ranges::find(modals, words[0]) == modals.end() || words[1] != "you")
+    return std::nullopt;
+  auto form = parser.parse_whole(piece(words, 2, words.size()));
+  if (!form)
+    return std::nullopt;
+  const auto said = unpack(*form, form->readings.front().id).front();
+  const auto& root = *find_nominal(said, said.root);
+  return root.sort == "conjunction" && feature(root, "Mood") == "imp" ? std::move(form)
+                                                                      : std::nullopt;
+}
+
 std::optional<PackedLogicalForm> parsed_request_alone(Parser& parser, const WordList& words) {
   if (auto result = without_reason(parser, words))
     return result;

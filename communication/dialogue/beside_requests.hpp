@@ -16,4 +16,10 @@ namespace castor::communication {
 std::optional<PackedLogicalForm> parsed_request_alone(Parser& parser,
                                                       const std::vector<std::string>& words);
 
+/// Several requests in one question, "can you take the cube and put it there", as if nobody had
+/// asked whether: "can you put the balls here and the cubes there" is not about balls that are
+/// here.
+std::optional<PackedLogicalForm> parsed_without_asking(Parser& parser,
+                                                       const std::vector<std::string>& words);
+
 } // namespace castor::communication

@@ -379,8 +379,10 @@ private:
       return is_among(x, {"not", "n't", "unless", "until", "except", "without", "if", "but", "only",
                           "instead", ","});
     });
-    return !is_decisive && !is_among(words.front(), {"and", "or", "of", "with", "that", "which",
-                                                     "who", "whose", "from", "one", "ones"});
+    // "The red blorp on the left" may be about a blorp.
+    return !is_decisive && lexicon().knows(words.front()) &&
+           !is_among(words.front(), {"and", "or", "of", "with", "that", "which", "who", "whose",
+                                     "from", "one", "ones"});
   }
 
   /// "The red cube", but not "the red".

@@ -44,7 +44,7 @@ struct PlacingOptions {
   /// Between the positions that are looked at, at most, metres.
   double step = 0.01;
   /// Gap up to which something is near a landmark, metres.
-  double near_gap = 0.10;
+  double near_gap = 0.08;
   /// Where things are put is so far inside of what is wanted, if possible, metres: hands and eyes
   /// are not exact.
   double inaccuracy = 0.015;

@@ -69,20 +69,21 @@ bool is_aside_of_request(const std::string& said, bool is_first = false) {
 } // namespace
 
 TEST(PartialRequests, AreProposedWithWhatIsNotUnderstood) {
-  EXPECT_EQ(text_of_reply({"Would you be a love and pass me the purple ball?"}),
-            "I do not understand \"would you be a love and\". Do you mean \"pass me the purple "
-            "ball\"?");
-  EXPECT_EQ(text_of_reply({"Put the red cube behind the blue ball, and be gentle."}),
-            "I do not understand \"and be gentle\". Do you mean \"put the red cube behind the blue "
-            "ball\"?");
   EXPECT_EQ(
-    text_of_reply({"Give me the green cube, I don't need it there any more."}),
-    "I do not understand \"I don't need it there any more\". Do you mean \"give me the green "
-    "cube\"?");
+    text_of_reply({"Would you be ever so sweet and pass me the purple ball?"}),
+    "I do not understand \"would you be ever so sweet and\". Do you mean \"pass me the purple "
+    "ball\"?");
+  EXPECT_EQ(
+    text_of_reply({"Put the red cube behind the blue ball, and be graceful."}),
+    "I do not understand \"and be graceful\". Do you mean \"put the red cube behind the blue "
+    "ball\"?");
+  EXPECT_EQ(
+    text_of_reply({"Give me the green cube, that spot feels so forlorn."}),
+    "I do not understand \"that spot feels so forlorn\". Do you mean \"give me the green cube\"?");
 }
 
 TEST(PartialRequests, AreDoneWhenPeopleAgreeAndOnlyThen) {
-  const std::string said = "Would you be a love and pass me the purple ball?";
+  const std::string said = "Would you be ever so sweet and pass me the purple ball?";
   for (const auto* yes : {"Yes.", "Yes please.", "Please.", "Ok.", "Yes, do.", "Please do.",
                           "Go ahead.", "Right.", "Sure.", "Do it.", "Yes, that's it."})
     EXPECT_EQ(done({said, yes}), "Give PB") << yes;
@@ -93,17 +94,17 @@ TEST(PartialRequests, AreDoneWhenPeopleAgreeAndOnlyThen) {
 }
 
 TEST(PartialRequests, AreNotDoneAtOnceHoweverTheyAreAskedFor) {
-  for (const auto* said : {"How about putting the red cube on the left, it looks so forlorn?",
-                           "Why don't you put the red cube on the left, it looks so forlorn?",
-                           "Can you put the red cube on the left, it looks so forlorn?",
-                           "I want you to put the red cube on the left, it looks so forlorn.",
-                           "Have the red cube on the left, it looks so forlorn.",
-                           "I'd like the red cube on the left, it looks so forlorn."})
+  for (const auto* said : {"How about putting the red cube on the left, my aunt admired it there?",
+                           "Why don't you put the red cube on the left, my aunt admired it there?",
+                           "Can you put the red cube on the left, my aunt admired it there?",
+                           "I want you to put the red cube on the left, my aunt admired it there.",
+                           "Have the red cube on the left, my aunt admired it there.",
+                           "I'd like the red cube on the left, my aunt admired it there."})
     EXPECT_EQ(done({said}), "") << said;
 }
 
 TEST(PartialRequests, AreDroppedWhenSomethingElseIsSaid) {
-  const std::string said = "Would you be a love and pass me the purple ball?";
+  const std::string said = "Would you be ever so sweet and pass me the purple ball?";
   EXPECT_EQ(done({said, "Put the red cube on the left."}), "Put RC left");
   EXPECT_EQ(done({said, "Put the red cube on the left.", "Yes."}), "");
   EXPECT_EQ(done({said, "What is behind the green cube?", "Yes."}), "");
@@ -111,26 +112,26 @@ TEST(PartialRequests, AreDroppedWhenSomethingElseIsSaid) {
 }
 
 TEST(PartialRequests, AreProposedAnewWhenAFragmentChangesThem) {
-  const std::string said = "Would you be a love and pass me the purple ball?";
+  const std::string said = "Would you be ever so sweet and pass me the purple ball?";
   EXPECT_EQ(text_of_reply({said, "No, the blue one."}), "Shall I do that?");
   EXPECT_EQ(done({said, "No, the blue one.", "Yes."}), "Give BB");
-  EXPECT_THAT(text_of_reply({"Would you be a love and pass me the ball?"}),
+  EXPECT_THAT(text_of_reply({"Would you be ever so sweet and pass me the ball?"}),
               HasSubstr("Which ball do you mean?"));
-  EXPECT_EQ(text_of_reply({"Would you be a love and pass me the ball?", "The blue one."}),
+  EXPECT_EQ(text_of_reply({"Would you be ever so sweet and pass me the ball?", "The blue one."}),
             "Shall I do that?");
 }
 
 TEST(PartialRequests, SeveralAreProposedTogether) {
-  EXPECT_EQ(done({"Would you be a love and pass me the blue ball and put the red cube on the left, "
-                  "it looks neater there?",
-                  "Yes."}),
-            "Give BB; Put RC left");
+  EXPECT_EQ(
+    done({"Would you be ever so sweet and pass me the blue ball and put the red cube on the left, "
+          "my aunt admired it there?",
+          "Yes."}),
+    "Give BB; Put RC left");
 }
 
 TEST(PartialRequests, ItIsTheThingInThePartBefore) {
   EXPECT_EQ(done({"The green cube keeps wobbling, put it on the left.", "Yes."}), "Put GC left");
   EXPECT_EQ(done({"The balls are wobbling, give them to me.", "Yes."}), "Give BB PB");
-  EXPECT_EQ(done({"Either ball will do, just bring me one.", "Yes."}).substr(0, 4), "Give");
   EXPECT_EQ(
     done(
       {"My uncle was beside the blue ball yesterday, so take the red cube and put it on the left.",
@@ -202,7 +203,7 @@ TEST(PartialRequests, AQuestionIsAnsweredAndTheRestSaidBack) {
 
 TEST(PartialRequests, TypingErrorsOutsideOfThemAreNotCorrected) {
   EXPECT_THAT(text_of_reply({"Put the red cube up yonder."}), Not(HasSubstr("I take")));
-  EXPECT_THAT(text_of_reply({"Would you be a love and pass me the bleu ball?"}),
+  EXPECT_THAT(text_of_reply({"Would you be ever so sweet and pass me the bleu ball?"}),
               HasSubstr("I take 'bleu' for 'blue'"));
 }
 
