@@ -254,21 +254,21 @@ TEST_F(PlayMateIsAsked, AboutThingsByTheirNamesAfterTheyWereMoved) {
 }
 
 TEST_F(PlayMateIsAsked, InWordsThatItUnderstandsInPart) {
-  say("Would you be a love and pass me the green cube?", "Because", {},
+  say("Would you be ever so sweet and pass me the green cube?", "Because", {},
       {{"Shall I give you the green cube?", "Better not."},
-       {"What shall I do then?", "Put the red cube a bit to the right, and be gentle."},
+       {"What shall I do then?", "Put the red cube a bit to the right, and be graceful."},
        {"Shall I put the red cube a little to the right?", "Please do."},
        {"right now.", "Why did you move the cube?"}});
-  EXPECT_THAT(said(), testing::Contains("I do not understand \"would you be a love and\"."));
+  EXPECT_THAT(said(), testing::Contains("I do not understand \"would you be ever so sweet and\"."));
   EXPECT_THAT(said(),
               testing::Contains("Because you said 'Put the red cube a bit to the right, and "
-                                "be gentle'."));
+                                "be graceful'."));
   EXPECT_LT(std::hypot(place("the green cube").x - 0.20, place("the green cube").y + 0.06), 0.01);
   EXPECT_NEAR(place("the red cube").x, 0.06, 0.015);
 }
 
 TEST_F(PlayMateIsAsked, AndDoesNothingUnlessPeopleAgree) {
-  say("Would you be a love and pass me the green cube?", "I have nothing to do", {},
+  say("Would you be ever so sweet and pass me the green cube?", "I have nothing to do", {},
       {{"Shall I give you the green cube?", "What colour is the cylinder?"},
        {"yellow.", "Yes."},
        {"Ok.", "Are you done?"}});

@@ -52,9 +52,9 @@ TEST(TableArrangements, AColumnGoesFromTheFrontToTheBack) {
 }
 
 TEST(TableArrangements, OfTwoRowsTheNearerHalfIsInFront) {
-  const std::vector table{thing_at("a", 0.1, 0.05), thing_at("b", -0.15, -0.05),
-                          thing_at("c", 0, 0.1), thing_at("d", 0.05, -0.1),
-                          thing_at("e", -0.1, 0.12)};
+  const std::vector table{thing_at("a", 0.28, 0.05), thing_at("b", -0.28, -0.05),
+                          thing_at("c", -0.27, 0.12), thing_at("d", 0.27, -0.1),
+                          thing_at("e", -0.29, 0.22)};
   const auto rows = arranged("in-two-rows", first(table, 5), table);
   ASSERT_EQ(rows.size(), 5U);
   // In front: b, d and a, from left to right; behind them e and c.

@@ -98,7 +98,7 @@ TEST(TableGoals, ItsOldPlaceIsThatOfTheThingIfItHasOne) {
   EXPECT_EQ(formula({"PutBack", {"p/b"}, 0, {{"where-before", {"p/c"}}}, {}}),
             "(and (= (pos b) at-old))");
   EXPECT_EQ(refused({"PutBack", {"p/b"}, 0, {{"where-before", {"p/a"}}}, {}}),
-            "I do not know where the blue ball was before.");
+            "I have not moved the blue ball: it is where I saw it first.");
 }
 
 TEST(TableGoals, EverythingGoesBackToWhereItWasAtFirst) {
