@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/beside_requests.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/function_words.hpp"
+#include "castor/communication/dialogue/word_lists.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/pauses.hpp"
@@ -48,13 +49,9 @@ WordList without_fillers(WordList words, const Lexicon& lexicon) {
   return words;
 }
 
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
 /// "On the right", "what kind": what follows is no aside.
 bool is_before_noun(std::string_view word) {
-  return is_one_of(word, {"the", "a", "an", "it", "what", "which", "every", "each", "no"});
+  return is_among(word, {"the", "a", "an", "it", "what", "which", "every", "each", "no"});
 }
 
 } // namespace
@@ -122,7 +119,7 @@ std::optional<Frame> frame_of(std::span<const std::string> words, const Lexicon&
     auto& word = words[i];
     const bool is_person = is_person_at(i);
     // "If I may", but not "whether the ball is red".
-    const bool is_polite = is_one_of(word, {"if", "whether"}) && is_person_at(i + 1);
+    const bool is_polite = is_among(word, {"if", "whether"}) && is_person_at(i + 1);
     if (lexicon.is_in(WordClass::decisive, word))
       return std::nullopt;
     const bool is_harmless = word == "," || is_person || is_polite ||
@@ -207,17 +204,17 @@ private:
 
   /// "My zorg, what colour is it?" speaks of the zorg.
   bool is_topic(std::size_t begin, std::size_t end) const {
-    return is_one_of(words_.front(), {"my", "your", "our"}) && is_after_pause(begin) &&
+    return is_among(words_.front(), {"my", "your", "our"}) && is_after_pause(begin) &&
            std::any_of(words_.begin() + static_cast<std::ptrdiff_t>(begin),
                        words_.begin() + static_cast<std::ptrdiff_t>(end), [](auto& word) {
-                         return is_one_of(word, {"it", "its", "they", "them", "that", "those",
-                                                 "this", "these", "one", "ones"});
+                         return is_among(word, {"it", "its", "they", "them", "that", "those",
+                                                "this", "these", "one", "ones"});
                        });
   }
 
   std::optional<PackedLogicalForm> core(std::size_t begin, std::size_t end) {
     const bool is_after_person = begin > 0 && !is_after_pause(begin);
-    while (begin > 0 && begin < end && is_one_of(words_[begin], {",", "but", "and", "so", "that"}))
+    while (begin > 0 && begin < end && is_among(words_[begin], {",", "but", "and", "so", "that"}))
       ++begin;
     const auto said = std::span{words_}.subspan(begin, end - begin);
     auto words = without_asides(said, lexicon());
@@ -241,8 +238,8 @@ private:
 
   /// "... whether it is red", "... what colour it is", "... to know the colour of the ball".
   bool is_asked_for(std::size_t begin, std::string_view next) const {
-    return is_one_of(next, {"whether", "if", "what", "which", "how", "where", "who"}) ||
-           is_one_of(words_[begin - 1], {"know", "learn", "hear", "for", "told"});
+    return is_among(next, {"whether", "if", "what", "which", "how", "where", "who"}) ||
+           is_among(words_[begin - 1], {"know", "learn", "hear", "for", "told"});
   }
 
   void note_left_out(std::size_t begin, std::size_t end, PackedLogicalForm& form) const {

@@ -2,14 +2,13 @@
 
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/word_lists.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -85,9 +84,8 @@ std::optional<PackedLogicalForm> without_reason(Parser& parser, const WordList& 
 
 /// "If", "unless": they say when a request is meant, or that another one is.
 bool decides(const std::string& word) {
-  constexpr std::array<std::string_view, 9> words{"if",   "unless", "until",  "except",  "only",
-                                                  "when", "while",  "rather", "opposite"};
-  return std::ranges::find(words, word) != words.end();
+  return is_among(
+    word, {"if", "unless", "until", "except", "only", "when", "while", "rather", "opposite"});
 }
 
 /// The parts of an utterance between pauses.
@@ -149,8 +147,8 @@ std::optional<PackedLogicalForm> without_manner(Parser& parser, const WordList& 
 } // namespace
 
 std::optional<PackedLogicalForm> parsed_without_asking(Parser& parser, const WordList& words) {
-  constexpr std::array<std::string_view, 4> modals{"can", "could", "will", "would"};
-  if (words.size() < 3 || std::ranges::find(modals, words[0]) == modals.end() || words[1] != "you")
+  if (words.size() < 3 || !is_among(words[0], {"can", "could", "will", "would"}) ||
+      words[1] != "you")
     return std::nullopt;
   auto form = parser.parse_whole(piece(words, 2, words.size()));
   if (!form)
