@@ -424,7 +424,11 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
 std::optional<PackedLogicalForm>
 partly_understood(Parser& parser, const WordList& said, const WordList& corrected,
                   const std::vector<SpellingCorrection>& corrections) {
-  auto result = partly_understood(parser, said);
+  std::optional<PackedLogicalForm> result;
+  if (const auto other = paraphrased(said, parser.lexicon(), false))
+    result = partly_understood(parser, *other);
+  if (!result)
+    result = partly_understood(parser, said);
   if (!result && !corrections.empty()) {
     result = partly_understood(parser, corrected);
     if (result)

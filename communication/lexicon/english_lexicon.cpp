@@ -15,6 +15,7 @@ namespace castor::communication {
 
 std::string_view english_lexicon_text();
 std::string_view actions_text();
+std::string_view paraphrases_text();
 std::string_view tabletop_words_text();
 
 namespace {
@@ -31,6 +32,7 @@ std::shared_ptr<const Lexicon> lexicon_of(const std::vector<NamedText>& files) {
 const std::vector<NamedText>& shared_lexicon_files() {
   static const std::vector<NamedText> files{{"english.ccg", std::string{english_lexicon_text()}},
                                             {"actions.ccg", std::string{actions_text()}},
+                                            {"paraphrases.words", std::string{paraphrases_text()}},
                                             {"tabletop.words", std::string{tabletop_words_text()}}};
   return files;
 }

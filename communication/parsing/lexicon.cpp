@@ -70,6 +70,11 @@ void Lexicon::add_to(WordClass word_class, const std::string& phrase) {
     longest_aside_ = std::max(longest_aside_, length);
 }
 
+void Lexicon::add_paraphrase(Paraphrase paraphrase, bool is_always) {
+  class_words_.insert(paraphrase.words().begin(), paraphrase.words().end());
+  (is_always ? always_paraphrases_ : paraphrases_).push_back(std::move(paraphrase));
+}
+
 bool Lexicon::is_in(WordClass word_class, const std::string& phrase) const {
   return classes_.contains({word_class, phrase});
 }

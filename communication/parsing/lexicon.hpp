@@ -2,6 +2,7 @@
 
 #include "castor/communication/parsing/category.hpp"
 #include "castor/communication/parsing/meaning.hpp"
+#include "castor/communication/parsing/paraphrase.hpp"
 #include "castor/communication/parsing/symbols.hpp"
 #include "castor/communication/parsing/word_meanings.hpp"
 
@@ -90,6 +91,9 @@ public:
   /// Adds a word or phrase that may stand anywhere and has no meaning.
   void add_filler(const std::string& phrase, double weight);
   void add_to(WordClass word_class, const std::string& phrase);
+  /// Later ones are tried after earlier ones.
+  /// \param is_always whether it is tried even if an utterance is understood without it
+  void add_paraphrase(Paraphrase paraphrase, bool is_always);
 
   const LexicalEntry& entry(std::uint32_t number) const { return entries_[number]; }
   std::span<const LexicalEntry> entries() const { return entries_; }
@@ -102,7 +106,13 @@ public:
 
   bool is_in(WordClass word_class, const std::string& phrase) const;
 
-  /// Whether the word is in a class, at least as part of a phrase.
+  /// Ways to say something that is understood otherwise or not at all, and to say what is not
+  /// understood.
+  std::span<const Paraphrase> paraphrases(bool is_always) const {
+    return is_always ? always_paraphrases_ : paraphrases_;
+  }
+
+  /// Whether the word is in a class or a paraphrase, at least as part of a phrase.
   bool is_in_a_class(const std::string& word) const { return class_words_.contains(word); }
 
   /// In words.
@@ -136,6 +146,8 @@ private:
   std::unordered_map<std::string, double> fillers_;
   std::set<std::pair<WordClass, std::string>> classes_;
   std::set<std::string> class_words_;
+  std::vector<Paraphrase> paraphrases_;
+  std::vector<Paraphrase> always_paraphrases_;
   std::size_t longest_aside_ = 0;
 
   struct Word {

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <stdexcept>
 
 namespace castor::communication {
 
@@ -24,7 +25,8 @@ constexpr std::size_t max_variables = 60;
 
 const std::vector<std::string_view> keywords = {
   "feature", "root",     "raise",  "call",    "filler",    "aside",   "frame",  "person", "name",
-  "telling", "decisive", "reason", "comment", "agreement", "refusal", "family", "words",  "nouns"};
+  "telling", "decisive", "reason", "comment", "agreement", "refusal", "family", "words",  "nouns",
+  "paraphrases", "replacements"};
 
 const std::map<std::string_view, WordClass> word_classes = {
   {"aside", WordClass::aside},         {"frame", WordClass::frame},
@@ -62,7 +64,7 @@ public:
 
 private:
   /// What belongs to a line that is wrong itself is skipped.
-  enum class Block { none, skipped, family, words, nouns };
+  enum class Block { none, skipped, family, words, nouns, paraphrases, replacements };
 
   void read_file(const NamedText& file) {
     file_name_ = file.name;
@@ -128,6 +130,8 @@ private:
     else if (block_ == Block::none)
       fail(pieces.front(), "an indented line belongs to nothing",
            "Write \"family NAME\" or \"words FAMILY\" before it, or do not indent it.");
+    else if (block_ == Block::paraphrases || block_ == Block::replacements)
+      read_paraphrase(content, pieces.front());
     else if (block_ != Block::skipped)
       for (const auto& piece : pieces)
         guarded([&] { read_word(piece); });
@@ -146,6 +150,10 @@ private:
     const auto& keyword = pieces.front();
     block_ = Block::skipped;
     const std::vector<Piece> rest(pieces.begin() + 1, pieces.end());
+    if (keyword.text == "paraphrases" || keyword.text == "replacements") {
+      block_ = keyword.text == "paraphrases" ? Block::paraphrases : Block::replacements;
+      return;
+    }
     const bool is_meaning = is_meaning_keyword(keyword.text);
     if (!is_meaning && std::find(keywords.begin(), keywords.end(), keyword.text) == keywords.end())
       fail(keyword, "\"" + keyword.text + "\" does not begin a line",
@@ -187,6 +195,14 @@ private:
     for (const auto& x : known)
       list += (list.empty() ? "" : x == known.back() ? " or " : ", ") + std::string{x};
     return "Lines begin with " + list + "; what belongs to them is indented.";
+  }
+
+  void read_paraphrase(const Piece& line, const Piece& first) {
+    try {
+      lexicon_->add_paraphrase(Paraphrase{line.text}, block_ == Block::replacements);
+    } catch (const std::invalid_argument& error) {
+      fail(first, error.what(), "Write it as in: give X a push|shove = push X");
+    }
   }
 
   void read_feature(const std::vector<Piece>& pieces) {

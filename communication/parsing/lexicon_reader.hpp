@@ -29,6 +29,11 @@
 ///     agreement please_do go_on     # whole utterances that agree to what is proposed
 ///     refusal better_not            # or decline it
 ///
+///     paraphrases                   # what says the same as something that is understood, which is
+///       give X a push|shove = push X       # tried for what is not (paraphrase.hpp)
+///     replacements                  # the same, tried first: what is understood without them is
+///       kindly keep = please put    # something else
+///
 ///     family Noun                   # what a group of words may be: categories and meanings
 ///       n[?number]<x> : @x:thing(* ^ <Number>?number)
 ///     family Adjective
