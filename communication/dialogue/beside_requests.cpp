@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/beside_requests.hpp"
 
+#include "castor/communication/dialogue/aside_clauses.hpp"
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/word_lists.hpp"
@@ -109,6 +110,31 @@ bool is_remark(const WordList& words, const Lexicon& lexicon) {
   return false;
 }
 
+/// "I need to put my bag there", "he wants it": what people say of themselves, if they do not wish
+/// something for a thing by it: "I want it on the right".
+bool is_about_people(const WordList& words, Parser& parser) {
+  if (words.size() < 3 || !is_among(words[0], {"i", "we", "he", "she", "they", "my", "our", "his",
+                                               "her", "someone", "somebody"}))
+    return false;
+  const auto is_wish = [&](std::size_t i) {
+    return is_among(words[i], {"want", "need", "like", "prefer", "love"}) && i + 1 < words.size() &&
+           is_among(words[i + 1], {"it", "them", "that", "this", "these", "those", "the", "both",
+                                   "all", "everything", "one"});
+  };
+  const bool is_own_wish = is_among(words[0], {"i", "we"}) && (is_wish(1) || is_wish(2));
+  // "My aunt admired it there" may be about the thing: it is better to ask.
+  const bool is_own_plan = is_among(words[1], {"want", "need", "have"}) && words[2] == "to";
+  const bool may_be_about_thing =
+    !is_own_plan && std::ranges::any_of(words, [](const auto& x) {
+      return is_among(x, {"it", "them", "there", "this", "that", "one"});
+    });
+  if (is_own_wish || may_be_about_thing || !is_aside(parser.lexicon(), words, Beside::request, false))
+    return false;
+  // "I need some space" asks for something.
+  const auto form = parser.parse_whole(words);
+  return !form || !is_clear_request(*form, false);
+}
+
 bool begins_with_if(const WordList& words) {
   return words.front() == "if" || (words.size() > 1 && words[1] == "if");
 }
@@ -120,14 +146,16 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
   // "And if that does not work, on the disc": what follows is part of it.
   bool is_alternative = false;
   for (const auto& x : pieces_of(words)) {
-    const bool is_left_out = is_alternative || is_remark(x, parser.lexicon());
+    const bool is_left_out =
+      is_alternative || is_remark(x, parser.lexicon()) || is_about_people(x, parser);
     is_alternative = is_left_out && (is_alternative || begins_with_if(x));
     auto& to = is_left_out ? left_out : request;
     if (!to.empty())
       to.emplace_back(",");
     to.insert(to.end(), x.begin(), x.end());
   }
-  const bool begins_with_remark = is_remark(words, parser.lexicon());
+  const auto first = pieces_of(words).front();
+  const bool begins_with_remark = is_remark(first, parser.lexicon()) || is_about_people(first, parser);
   return clear_request(parser, std::move(request), left_out, begins_with_remark);
 }
 

@@ -244,6 +244,7 @@ private:
   Truth is_directly(const std::string& id, const std::string& side, const std::string& other);
   Truth is_far(const std::string& id, const std::string& other);
   Truth is_selected(const std::string& id, const Nominal& selection, const Fitting& among);
+  std::optional<std::string> distinguished_by_size(const Nominal& phrase);
   Truth compares(const std::string& id, const Nominal& comparison);
   Truth compares_distances(const std::string& id, const Nominal& comparison, const Nominal& other);
   Truth shares(const std::string& a, const std::string& b, const std::string& quality);

@@ -203,6 +203,9 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
       return {found.best(), found.best()};
     return found;
   }
+  if (found.certain.size() != 1)
+    if (const auto one = distinguished_by_size(phrase))
+      return {{*one}, {*one}};
   const bool may_be_seen = vocabulary().is_perceptible(phrase.proposition);
   // A room may be the office, but nobody has said so.
   const bool may_be_called_so =

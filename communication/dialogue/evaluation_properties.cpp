@@ -43,7 +43,9 @@ struct Comparative {
 constexpr std::array comparatives{
   Comparative{"larger", "size", true},         Comparative{"smaller", "size", false},
   Comparative{"greater", "size", true},        Comparative{"largest", "size", true},
-  Comparative{"smallest", "size", false},      Comparative{"leftmost", "right", false},
+  Comparative{"smallest", "size", false},      Comparative{"taller", "height", true},
+  Comparative{"lower", "height", false},       Comparative{"tallest", "height", true},
+  Comparative{"lowest", "height", false},      Comparative{"leftmost", "right", false},
   Comparative{"rightmost", "right", true},     Comparative{"frontmost", "back", false},
   Comparative{"backmost", "back", true},       Comparative{"nearest", "distance", false},
   Comparative{"farthest", "distance", true},   Comparative{"nearer", "distance", false},
@@ -58,7 +60,8 @@ const Comparative* comparative(const std::string& word) {
 
 /// Whether `a` is clearly more than `b`.
 bool is_clearly_more(double a, double b, const std::string& dimension) {
-  return dimension == "size" ? a > b * clear_ratio : a > b + clear_distance;
+  const bool is_length = dimension == "size" || dimension == "height";
+  return is_length ? a > b * clear_ratio : a > b + clear_distance;
 }
 
 } // namespace
@@ -350,6 +353,8 @@ std::optional<double> Evaluation::measure(const std::string& id, const std::stri
                                           const Nominal* anchor) {
   if (dimension == "size")
     return scene_.extent(id);
+  if (dimension == "height")
+    return scene_.height(id);
   auto at = scene_.place_in_view(id);
   if (!at)
     return std::nullopt;
@@ -397,6 +402,41 @@ Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
                     is_before == Truth::no && is_after != Truth::yes ? Truth::unknown : is_before));
   }
   return is_within(before, {rank - 1, rank - 1});
+}
+
+/// What "the small cube" means in a request where no cube, or several, are small: the clearly
+/// smallest of the things that are so otherwise. "The tall cube" is the tallest, or the only one,
+/// since nothing else says what is tall. Nothing if there is none.
+std::optional<std::string> Evaluation::distinguished_by_size(const Nominal& phrase) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> selections{
+    {{"large", "largest"},
+     {"small", "smallest"},
+     {"tall", "tallest"},
+     {"short", "lowest"},
+     {"high", "tallest"}}};
+  const auto* size = dependent(form_, phrase, "Size");
+  if (size == nullptr || is_negated(*size) || has_containers())
+    return std::nullopt;
+  const auto selection =
+    std::ranges::find(selections, size->proposition, [](const auto& x) { return x.first; });
+  if (selection == selections.end())
+    return std::nullopt;
+  Fitting others;
+  for (const auto& other : candidates(phrase))
+    others.add(other, fits_but_for(other, phrase, *size));
+  const auto all = others.best();
+  const bool is_height = selection->second == "tallest" || selection->second == "lowest";
+  const auto* root = find_nominal(form_, form_.root);
+  if (!is_height && (root == nullptr || root->sort != "action"))
+    return std::nullopt;
+  if (all.size() == 1 && is_height)
+    return all.front();
+  const Nominal most{"", "selection", std::string{selection->second}, {}, {}};
+  Things found;
+  for (const auto& id : all)
+    if (all.size() > 1 && is_selected(id, most, others) == Truth::yes)
+      found.push_back(id);
+  return found.size() == 1 ? std::optional{found.front()} : std::nullopt;
 }
 
 Truth Evaluation::shares(const std::string& a, const std::string& b, const std::string& quality) {

@@ -162,7 +162,7 @@ public:
           }
         add_gap(i, noun);
         i = noun;
-      } else if (is_bare_side(i) || is_bare_same(i))
+      } else if (is_bare_side(i) || is_bare_same(i) || is_bare_colour(i))
         gaps_.push_back({i, i, {"the"}});
   }
 
@@ -192,6 +192,19 @@ private:
 
   bool is_bare_side(std::size_t i) const {
     return i > 0 && is_any(words_[i], sides) && is_any(words_[i - 1], before_sides);
+  }
+
+  /// "Move yellow away from blue": the yellow one.
+  bool is_bare_colour(std::size_t i) const {
+    const auto is_colour = [&](auto entry) {
+      const auto& category = lexicon_.categories()[lexicon_.entry(entry).category];
+      return to_string(category, lexicon_.symbols()) == "col";
+    };
+    // "The cube is yellow", "cube yellow".
+    const bool is_predicate =
+      i == 0 || is_any(words_[i - 1], finite_verbs) || uses_[i - 1].is_noun();
+    return !is_predicate && !uses_[i - 1].is_determiner &&
+           std::ranges::any_of(lexicon_.find(words_[i]), is_colour);
   }
 
   bool is_bare_same(std::size_t i) const {

@@ -89,10 +89,15 @@ Response respond(const DialogueMove& move, const Antecedents& antecedents, Scene
   if (!move.problem.empty())
     return say(RhetoricalRelation::clarification_question, move.problem);
   std::optional<Response> refusal;
+  bool is_other_request_sought = false;
   for (std::size_t reading = 0; reading <= move.alternatives.size(); ++reading) {
     const auto& content = reading == 0 ? move.content : move.alternatives[reading - 1];
     Responder responder{content, antecedents, scene};
     const auto type = reading == 0 ? move.type : dialogue_move_type(content);
+    const bool is_request = type == DialogueMoveType::action_directive &&
+                            is_handling(content, scene.vocabulary().meanings());
+    if (is_other_request_sought && !is_request)
+      continue;
     try {
       auto result =
         responder.described(respond_to_all(responder, type, content, antecedents, scene));
@@ -103,8 +108,12 @@ Response respond(const DialogueMove& move, const Antecedents& antecedents, Scene
     } catch (const Uninterpretable& why) {
       auto result = responder.to(why);
       result.reading = reading;
-      if (why.reason != Uninterpretable::Reason::word)
+      // "Put the cube on the left next to the ball": perhaps there is no cube on the left.
+      const bool may_be_misread =
+        why.reason == Uninterpretable::Reason::nothing_like && is_request;
+      if (!may_be_misread && !refusal && why.reason != Uninterpretable::Reason::word)
         return result;
+      is_other_request_sought = is_other_request_sought || (may_be_misread && !refusal);
       if (!refusal)
         refusal = std::move(result);
     }

@@ -268,6 +268,11 @@ std::optional<double> SceneKnowledge::extent(const std::string& union_id) const 
   return numbers ? std::optional{std::ranges::max(*numbers)} : std::nullopt;
 }
 
+std::optional<double> SceneKnowledge::height(const std::string& union_id) const {
+  auto numbers = numbers_of(find(union_id), FeatureKind::extent);
+  return numbers ? std::optional{numbers->back()} : std::nullopt;
+}
+
 std::optional<Body> SceneKnowledge::body(const std::string& union_id) const {
   auto size = numbers_of(find(union_id), FeatureKind::extent);
   auto at = locations_.find(union_id);

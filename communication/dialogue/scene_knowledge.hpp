@@ -150,6 +150,8 @@ public:
 
   /// The largest of a thing's dimensions, metres.
   std::optional<double> extent(const std::string& union_id) const;
+  /// Upwards; metres.
+  std::optional<double> height(const std::string& union_id) const;
 
   /// Where a thing begins and ends; nothing if its place or its extent is not known.
   std::optional<Body> body(const std::string& union_id) const;

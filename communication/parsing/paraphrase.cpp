@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/paraphrase.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -25,12 +26,23 @@ bool is_slot(std::string_view word) {
   return word == "X" || word == "Y" || word == "Z";
 }
 
-bool begins_part(const std::vector<std::string>& words, std::size_t at) {
-  return at == 0 || words[at - 1] == ",";
+template <std::size_t N>
+bool is_any(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// What follows "please" or "could you" is a request as if nothing stood before it.
+bool begins_part(const std::vector<std::string>& words, std::size_t at, bool is_slot) {
+  constexpr std::array<std::string_view, 14> leading{
+    "please", "you", "to", "now", "then", "so", "and", "but", "ok", "okay", "just", "also", "well",
+    "right"};
+  return at == 0 || words[at - 1] == "," || (!is_slot && is_any(words[at - 1], leading));
 }
 
 bool ends_part(const std::vector<std::string>& words, std::size_t at) {
-  return at == words.size() || words[at] == ",";
+  constexpr std::array<std::string_view, 6> closing{",",  "please", "thanks",
+                                                    "ta", "mate",   "cheers"};
+  return at == words.size() || is_any(words[at], closing);
 }
 
 } // namespace
@@ -87,7 +99,7 @@ bool Paraphrase::has_slot(char name) const {
 
 bool Paraphrase::apply(std::vector<std::string>& words) const {
   for (std::size_t begin = 0; begin < words.size(); ++begin) {
-    if (is_at_begin_ && !begins_part(words, begin))
+    if (is_at_begin_ && !begins_part(words, begin, pattern_.front().slot != 0))
       continue;
     Slots slots;
     const auto end = match(words, begin, 0, slots);

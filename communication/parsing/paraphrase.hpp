@@ -20,8 +20,9 @@ namespace castor::communication {
 ///     of_course        several words
 ///     X Y Z            one to ten words without a pause, the same in the paraphrase
 ///     ,                a pause
-///     < at the begin   only where an utterance or a part of it after a pause begins
-///     > at the end     only where one ends
+///     < at the begin   only where an utterance or a part of it after a pause begins, or after words
+///                      such as "please" and "could you"
+///     > at the end     only where one ends, or before such words
 ///
 /// A slot that begins or ends a pattern goes to where the utterance or its part begins or ends.
 class Paraphrase {

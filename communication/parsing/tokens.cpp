@@ -73,6 +73,13 @@ constexpr std::array<std::array<std::string_view, 3>, 49> hasty{{{"isnt", "is", 
                                                                  {"k", "ok", ""},
                                                                  {"ain't", "is", "n't"}}};
 
+/// "5cm", "10mm": where the unit begins; 0 if the word is no number with one.
+std::size_t begin_of_unit(std::string_view word) {
+  const auto unit = std::min(word.find_first_not_of("0123456789"), word.size());
+  constexpr std::array units{"cm", "mm", "m", "in", "inch", "inches", "centimetres", "centimeters"};
+  return std::ranges::find(units, word.substr(unit)) == units.end() ? 0 : unit;
+}
+
 void append_word(std::string word, std::vector<std::string>& words) {
   const auto contraction =
     std::find_if(hasty.begin(), hasty.end(), [&word](auto& x) { return x.front() == word; });
@@ -80,6 +87,9 @@ void append_word(std::string word, std::vector<std::string>& words) {
     words.emplace_back((*contraction)[1]);
     if (!(*contraction)[2].empty())
       words.emplace_back((*contraction)[2]);
+  } else if (const auto unit = begin_of_unit(word); unit != 0) {
+    words.push_back(word.substr(0, unit));
+    words.push_back(word.substr(unit));
   } else if (word == "cannot" || word == "can't") {
     words.insert(words.end(), {"can", word == "cannot" ? "not" : "n't"});
   } else if (ends_with(word, "n't")) {
