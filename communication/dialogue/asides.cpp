@@ -307,8 +307,7 @@ std::optional<PackedLogicalForm> parsed_paraphrase(Parser& parser, WordList word
 
 } // namespace
 
-std::optional<WordList> paraphrased(WordList words, const Lexicon& lexicon,
-                                    bool is_understood) {
+std::optional<WordList> paraphrased(WordList words, const Lexicon& lexicon, bool is_understood) {
   bool is_changed = false;
   const auto apply = [&](std::span<const Paraphrase> paraphrases) {
     for (const auto& paraphrase : paraphrases)

@@ -124,11 +124,11 @@ bool is_about_people(const WordList& words, Parser& parser) {
   const bool is_own_wish = is_among(words[0], {"i", "we"}) && (is_wish(1) || is_wish(2));
   // "My aunt admired it there" may be about the thing: it is better to ask.
   const bool is_own_plan = is_among(words[1], {"want", "need", "have"}) && words[2] == "to";
-  const bool may_be_about_thing =
-    !is_own_plan && std::ranges::any_of(words, [](const auto& x) {
-      return is_among(x, {"it", "them", "there", "this", "that", "one"});
-    });
-  if (is_own_wish || may_be_about_thing || !is_aside(parser.lexicon(), words, Beside::request, false))
+  const bool may_be_about_thing = !is_own_plan && std::ranges::any_of(words, [](const auto& x) {
+    return is_among(x, {"it", "them", "there", "this", "that", "one"});
+  });
+  if (is_own_wish || may_be_about_thing ||
+      !is_aside(parser.lexicon(), words, Beside::request, false))
     return false;
   // "I need some space" asks for something.
   const auto form = parser.parse_whole(words);
@@ -155,7 +155,8 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
     to.insert(to.end(), x.begin(), x.end());
   }
   const auto first = pieces_of(words).front();
-  const bool begins_with_remark = is_remark(first, parser.lexicon()) || is_about_people(first, parser);
+  const bool begins_with_remark =
+    is_remark(first, parser.lexicon()) || is_about_people(first, parser);
   return clear_request(parser, std::move(request), left_out, begins_with_remark);
 }
 

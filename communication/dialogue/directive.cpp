@@ -223,18 +223,46 @@ private:
       return read_arrangement(meant, destination, step);
     if (destination.proposition == "gap")
       return read_gap(meant, x, step);
-    Things landmarks;
+    if (destination.sort == "conjunction")
+      for (const auto& [how, where] : {std::pair{"First", "Next"}, std::pair{"Next", "First"}}) {
+        const auto& arrangement = need(destination, how);
+        if (arrangement.proposition == "near-each-other")
+          return read_gathering_at(meant, need(destination, where), step);
+        if (is_arrangement(arrangement.proposition)) {
+          read_arrangement(meant, arrangement, step);
+          read_places(need(destination, where), meant, step);
+          return;
+        }
+      }
+    const auto landmarks = read_places(destination, meant, step);
+    // "Put everything next to the disc" moves all but the disc.
+    if (!is_definite(patient) || is_plural(patient))
+      meant.things = all_but(std::move(meant.things), landmarks);
+    take(meant, patient, step);
+  }
+
+  /// \returns the landmarks of the places
+  Things read_places(const Nominal& destination, const Meant& meant, DirectiveStep& step) {
+    Things result;
     for (const auto& place : places_named(form_, destination, vocabulary())) {
       Things others;
       if (place.landmark != nullptr)
         others = meant_.landmarks_of(*place.landmark, meant.things);
       step.places.push_back({place.relation, meant_.proxies(others), place.distance});
-      landmarks.insert(landmarks.end(), others.begin(), others.end());
+      result.insert(result.end(), others.begin(), others.end());
     }
-    // "Put everything next to the disc" moves all but the disc.
-    if (!is_definite(patient) || is_plural(patient))
-      meant.things = all_but(std::move(meant.things), landmarks);
-    take(meant, patient, step);
+    return result;
+  }
+
+  /// "Together on the left": the first one is put there, and the others next to it.
+  void read_gathering_at(const Meant& meant, const Nominal& where, DirectiveStep& step) {
+    read_gathering(meant, step);
+    if (step.things.empty())
+      return;
+    DirectiveStep first{step.action, step.places.front().landmarks, 0, {}, {}};
+    read_places(where, meant, first);
+    step.places.insert(step.places.end(), first.places.begin(), first.places.end());
+    steps_.push_back(std::move(first));
   }
 
   /// "Move the ball away from the edge": not everything that is there.

@@ -408,6 +408,23 @@ std::optional<PackedLogicalForm> agreement_in(Parser& parser, const WordList& wo
   return lexicon.is_in(WordClass::refusal, said) ? parser.parse_whole({"no"}) : std::nullopt;
 }
 
+/// "It is a little far away", "I should like to put my paper there": asks for nothing.
+std::optional<PackedLogicalForm> remark_in(Parser& parser, const WordList& words) {
+  const bool is_statement =
+    is_among(words.front(), {"i", "it", "we", "he", "she", "they", "my", "our", "his", "her"}) &&
+    words.back() != "?" && is_aside(parser.lexicon(), words, Beside::request, false);
+  const bool may_be_wish = std::ranges::any_of(words, [](const auto& x) {
+    return is_among(x, {"you", "your", "it", "them", "that"});
+  });
+  if (!is_statement || (may_be_wish && words.front() != "it") || words[1] == "must" ||
+      (words.front() == "it" && is_among(words[1], {"should", "has", "needs"})))
+    return std::nullopt;
+  auto result = parser.parse_whole({"that", "is", "a", "remark"});
+  if (result)
+    result->corrections.push_back({written(words), {}});
+  return result;
+}
+
 } // namespace
 
 std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordList& words) {
@@ -418,7 +435,9 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
   PartSearch search{parser, words};
   if (auto result = search.run())
     return result;
-  return search.without_place();
+  if (auto result = search.without_place())
+    return result;
+  return remark_in(parser, words);
 }
 
 std::optional<PackedLogicalForm>

@@ -109,8 +109,7 @@ Response respond(const DialogueMove& move, const Antecedents& antecedents, Scene
       auto result = responder.to(why);
       result.reading = reading;
       // "Put the cube on the left next to the ball": perhaps there is no cube on the left.
-      const bool may_be_misread =
-        why.reason == Uninterpretable::Reason::nothing_like && is_request;
+      const bool may_be_misread = why.reason == Uninterpretable::Reason::nothing_like && is_request;
       if (!may_be_misread && !refusal && why.reason != Uninterpretable::Reason::word)
         return result;
       is_other_request_sought = is_other_request_sought || (may_be_misread && !refusal);

@@ -123,6 +123,9 @@ Response Responder::to(const Uninterpretable& why) const {
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::word && (why.what == "i" || why.what == "you" || why.what == "we"))
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
+  // "Get a biscuit from the kitchen."
+  if (why.reason == Reason::unknown && root().sort == "action" && feature(root(), "Mood") == "imp")
+    return cannot_do_that();
   if (why.reason == Reason::unknown)
     return {RhetoricalRelation::answer, {{i_do_not_know()}}, {}, {}};
   if (why.reason == Reason::word || phrase == nullptr ||

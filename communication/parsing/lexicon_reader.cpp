@@ -24,9 +24,9 @@ constexpr std::size_t max_bytes = std::size_t{4} << 20;
 constexpr std::size_t max_variables = 60;
 
 const std::vector<std::string_view> keywords = {
-  "feature", "root",     "raise",  "call",    "filler",    "aside",   "frame",  "person", "name",
-  "telling", "decisive", "reason", "comment", "agreement", "refusal", "family", "words",  "nouns",
-  "paraphrases", "replacements"};
+  "feature", "root",   "raise",   "call",     "filler",      "aside",       "frame",
+  "person",  "name",   "telling", "decisive", "reason",      "comment",     "agreement",
+  "refusal", "family", "words",   "nouns",    "paraphrases", "replacements"};
 
 const std::map<std::string_view, WordClass> word_classes = {
   {"aside", WordClass::aside},         {"frame", WordClass::frame},

@@ -33,9 +33,9 @@ bool is_any(std::string_view word, const std::array<std::string_view, N>& words)
 
 /// What follows "please" or "could you" is a request as if nothing stood before it.
 bool begins_part(const std::vector<std::string>& words, std::size_t at, bool is_slot) {
-  constexpr std::array<std::string_view, 14> leading{
-    "please", "you", "to", "now", "then", "so", "and", "but", "ok", "okay", "just", "also", "well",
-    "right"};
+  constexpr std::array<std::string_view, 14> leading{"please", "you",  "to",   "now",  "then",
+                                                     "so",     "and",  "but",  "ok",   "okay",
+                                                     "just",   "also", "well", "right"};
   return at == 0 || words[at - 1] == "," || (!is_slot && is_any(words[at - 1], leading));
 }
 

@@ -10,8 +10,8 @@
 
 namespace castor::communication {
 
-/// What people say, and what says the same in words of the grammar: "give X a push" is "push X". What
-/// only is left out has no words that say the same.
+/// What people say, and what says the same in words of the grammar: "give X a push" is "push X".
+/// What only is left out has no words that say the same.
 ///
 /// A pattern is made of words, which are separated by blanks:
 ///
@@ -20,7 +20,8 @@ namespace castor::communication {
 ///     of_course        several words
 ///     X Y Z            one to ten words without a pause, the same in the paraphrase
 ///     ,                a pause
-///     < at the begin   only where an utterance or a part of it after a pause begins, or after words
+///     < at the begin   only where an utterance or a part of it after a pause begins, or after
+///     words
 ///                      such as "please" and "could you"
 ///     > at the end     only where one ends, or before such words
 ///
