@@ -105,6 +105,11 @@ class TargetFinder final : public UnmanagedComponent {
     options.reaches = [reach = *told.front(), height, ways](const GroundPoint& x) {
       return (ways_at(reach, x, height) & ways) != 0;
     };
+    // As it can be held somewhere where it can also be held as it is here.
+    const auto ways_by_stop = ways_by_way_of(*told.front(), height, ways);
+    options.reaches_by_stop = [reach = *told.front(), height, ways_by_stop](const GroundPoint& x) {
+      return (ways_at(reach, x, height) & ways_by_stop) != 0;
+    };
     // The arm finds out whether there is room for its hand.
     options.least_clearance = 0.005;
     options.may_reach = [reach = *told.front(), height](const GroundPoint& x) {

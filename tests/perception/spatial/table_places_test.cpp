@@ -128,6 +128,28 @@ TEST(TablePlaces, NarrowStripAtTheEdge) {
   }
 }
 
+/// Where it cannot be put directly, the best place is not passed over for one that is possible
+/// neither directly nor with a stop, and what is beside it is tried as well.
+TEST(TablePlaces, PlacesWithAStopBetweenAreCloseAndBeforeThoseThatAreUncertain) {
+  PlacingOptions options;
+  options.reaches = [](const GroundPoint&) { return false; };
+  options.reaches_by_stop = [](const GroundPoint& at) { return at.y < -0.06 && at.y > -0.12; };
+  options.may_reach = [](const GroundPoint&) { return true; };
+  const TablePlaces table{three, seat, options};
+  const std::vector<PlaceWanted> wanted{PlaceWanted{"front", {blue_box}}};
+  const auto found = table.find(red_ball, wanted, 3);
+  ASSERT_EQ(found.targets.size(), 3U);
+  for (const auto& x : found.targets) {
+    EXPECT_GT(x.position.y, -0.12);
+    EXPECT_LT(distance(x.position, found.targets.front().position), 0.09);
+  }
+  // One by one, those that it can be put at directly are as far apart as two of its kind.
+  options.reaches = options.reaches_by_stop;
+  const auto direct = TablePlaces{three, seat, options}.find(red_ball, wanted, 2);
+  ASSERT_EQ(direct.targets.size(), 2U);
+  EXPECT_GE(distance(direct.targets[0].position, direct.targets[1].position), 0.08 - 1e-9);
+}
+
 /// Whatever is found is on the table, fits, and is free.
 TEST(TablePlaces, RandomTables) {
   std::mt19937 random{7};
