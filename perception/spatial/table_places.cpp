@@ -15,6 +15,8 @@ namespace {
 constexpr double elsewhere_distance = 0.12;
 /// Away from a landmark is at least so far from it, metres, of centres.
 constexpr double away_distance = 0.20;
+/// Of what is seen, metres.
+constexpr double height_inaccuracy = 0.015;
 /// Worse than all places that are more likely to be possible.
 constexpr double less_likely = 4;
 
@@ -166,8 +168,10 @@ PlacesFound TablePlaces::on_top(std::size_t object, std::span<const PlaceWanted>
   const auto& x = objects_.at(below);
   if (!x.is_flat)
     return {{}, {}, "it would fall off: the top is not flat"};
+  // What it stands on itself is there, too.
   for (std::size_t i = 0; i < objects_.size(); ++i)
-    if (i != object && i != below && distance(objects_[i].centre, x.centre) < x.radius)
+    if (i != object && i != below && distance(objects_[i].centre, x.centre) < x.radius &&
+        objects_[i].bottom > x.top - height_inaccuracy)
       return {{}, {}, "something stands on it already"};
   return {{{x.centre, 1, {}}}, below, {}};
 }
@@ -209,7 +213,7 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
         continue;
       const int unlikely = static_cast<int>(reach) + (gap < options_.clearance ? 1 : 0);
       // Of equally good ones, the nearest to where it is.
-      const double far = 0.2 * distance(centre, x.centre);
+      const double far = 0.2 * distance(centre, x.centre) + off_side(places, x.centre, centre);
       const double narrow = 0.3 * std::max(0.0, 1 - gap / options_.ample_clearance);
       const double border = fits_around(places, object, centre) ? 0 : 1;
       candidates.push_back(
@@ -240,6 +244,21 @@ double TablePlaces::worst_fit(std::span<const PlaceWanted> places, std::size_t o
   for (const auto& place : places)
     result = std::min(result, fit(place, object, centre));
   return result;
+}
+
+/// Of what is to go to one side of the table only: how far it would go to another, and how little
+/// it would be on that one.
+double TablePlaces::off_side(std::span<const PlaceWanted> places, const GroundPoint& from,
+                             const GroundPoint& centre) const {
+  constexpr double aside_share = 1;
+  constexpr double unclear_share = 0.5;
+  const auto way = places.size() == 1 && places.front().landmarks.empty()
+                     ? way_to_side(places.front().relation)
+                     : std::nullopt;
+  if (!way)
+    return 0;
+  const double aside = std::abs((centre.x - from.x) * way->y - (centre.y - from.y) * way->x);
+  return aside_share * aside + unclear_share * (1 - clearness_on_side(*way, options_.area, centre));
 }
 
 /// Whether it still is there if it is put a little beside.

@@ -19,6 +19,9 @@ struct TableObject {
   double radius = 0.03;
   /// Whether something can stand on it.
   bool is_flat = true;
+  /// Of its lower and upper side, above the table.
+  double bottom = 0;
+  double top = 0;
 };
 
 /// As WantedPlace, with indices of objects as landmarks.
@@ -106,6 +109,8 @@ private:
   double least_gap(std::size_t object, const GroundPoint& centre) const;
   double worst_fit(std::span<const PlaceWanted> places, std::size_t object,
                    const GroundPoint& centre) const;
+  double off_side(std::span<const PlaceWanted> places, const GroundPoint& from,
+                  const GroundPoint& centre) const;
   bool fits_around(std::span<const PlaceWanted> places, std::size_t object,
                    const GroundPoint& centre) const;
   PlacesFound on_top(std::size_t object, std::span<const PlaceWanted> places) const;

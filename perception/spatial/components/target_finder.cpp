@@ -20,7 +20,8 @@ namespace {
 
 /// The disc that a box fits in, from above. Boxes do not tell what is round on top.
 TableObject table_object(const geometry::AlignedBox& box) {
-  return {ground_point(box), std::hypot(box.size.x, box.size.y) / 2 / std::sqrt(2.0), true};
+  return {ground_point(box), std::hypot(box.size.x, box.size.y) / 2 / std::sqrt(2.0), true,
+          box.centroid.z - box.size.z / 2, box.centroid.z + box.size.z / 2};
 }
 
 /// Answers where something could be put: calls with a SpatialRelationshipTargetQuery or with a
