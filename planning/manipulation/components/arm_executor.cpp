@@ -314,8 +314,7 @@ class ArmExecutor final : public ResumesManipulation {
                                            const TablePlace& to) {
     const auto* seen = find_like(things_, thing, goal->position, near_);
     if (seen) {
-      if (to.on.address.id.empty())
-        placed_.put(seen->id, thing, *goal);
+      placed_.put(seen->id, thing, *goal);
       return succeeded_at(*seen);
     }
     // What stands on another thing may be one thing with it for vision.
