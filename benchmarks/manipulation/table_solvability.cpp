@@ -57,9 +57,9 @@ public:
     const auto before = scene_;
     auto& thing = *std::ranges::find(scene_.things, name, &NamedSolid::name);
     for (int i = 0; i < (between ? 2 : 0); ++i) {
-      const auto plan = plan_way_between(
-        planner_, scene_, name, goal, free_places(others(name), thing.solid.size.x, true), rest_);
-      if (plan)
+      StopsBetween stops{planner_, scene_, name,
+                         free_places(others(name), thing.solid.size.x, true), rest_};
+      if (const auto plan = stops.plan_to(goal))
         thing.pose = *plan->goal;
     }
     const auto result = planner_.pick_and_place(scene_, name, goal, rest_);

@@ -68,4 +68,15 @@ std::uint32_t ways_around(const ReachableTable& reach, const GroundPoint& point,
   return result;
 }
 
+std::uint32_t ways_by_way_of(const ReachableTable& reach, double height, std::uint32_t ways) {
+  std::uint32_t result = 0;
+  for (std::uint32_t row = 0; row < reach.rows; ++row)
+    for (std::uint32_t column = 0; column < reach.columns; ++column) {
+      const GroundPoint point{reach.low.x + column * reach.step, reach.low.y + row * reach.step};
+      if (const auto there = ways_at(reach, point, height); (there & ways) != 0)
+        result |= there;
+    }
+  return result;
+}
+
 } // namespace castor::spatial

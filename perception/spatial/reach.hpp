@@ -15,4 +15,8 @@ std::uint32_t ways_at(const ReachableTable& reach, const GroundPoint& point, dou
 /// also at the point. Empty and thrown as by ways_at.
 std::uint32_t ways_around(const ReachableTable& reach, const GroundPoint& point, double height);
 
+/// Ways in which it can be held at points where it can be held in one of these ways, too.
+/// \throws as ways_at
+std::uint32_t ways_by_way_of(const ReachableTable& reach, double height, std::uint32_t ways);
+
 } // namespace castor::spatial

@@ -60,6 +60,27 @@ double fit_in_strip(const std::pair<int, int>& which, const TableArea& area,
 
 } // namespace
 
+std::optional<GroundPoint> way_to_side(std::string_view part) {
+  constexpr std::array<std::pair<std::string_view, GroundPoint>, 4> ways{
+    {{"left", {-1, 0}}, {"right", {1, 0}}, {"front", {0, -1}}, {"back", {0, 1}}}};
+  constexpr std::string_view edge = "-edge";
+  if (part.ends_with(edge))
+    part.remove_suffix(edge.size());
+  for (const auto& [name, way] : ways)
+    if (name == part)
+      return way;
+  return std::nullopt;
+}
+
+double clearness_on_side(const GroundPoint& way, const TableArea& area, const GroundPoint& centre) {
+  constexpr double clear = 0.6;
+  const auto middle = area.middle();
+  const double towards = (centre.x - middle.x) * way.x + (centre.y - middle.y) * way.y;
+  const double most = std::abs(way.x) * (area.high.x - area.low.x) / 2 +
+                      std::abs(way.y) * (area.high.y - area.low.y) / 2;
+  return std::clamp(towards / (clear * most), 0.0, 1.0);
+}
+
 std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
                                   const GroundPoint& centre, double radius) {
   const auto gap = gaps(area, centre, radius);

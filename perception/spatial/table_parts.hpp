@@ -29,4 +29,11 @@ inline constexpr double hand_reach = 0.35;
 std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
                                   const GroundPoint& centre, double radius);
 
+/// The way to a side of the table, or to its edge, of length 1; nothing for other parts.
+std::optional<GroundPoint> way_to_side(std::string_view part);
+
+/// How clearly a point is on that side: 0 in the middle of the table, 1 from some way towards its
+/// edge on.
+double clearness_on_side(const GroundPoint& way, const TableArea& area, const GroundPoint& centre);
+
 } // namespace castor::spatial

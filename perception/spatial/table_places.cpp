@@ -15,8 +15,10 @@ namespace {
 constexpr double elsewhere_distance = 0.12;
 /// Away from a landmark is at least so far from it, metres, of centres.
 constexpr double away_distance = 0.20;
-/// Of places that may not be possible: worse than all others.
-constexpr double last = 4;
+/// Of what is seen, metres.
+constexpr double height_inaccuracy = 0.015;
+/// Worse than all places that are more likely to be possible.
+constexpr double less_likely = 4;
 
 /// From one to the other, both included, no further apart than the step; none if there is no room.
 std::vector<double> positions_between(double from, double to, double step) {
@@ -148,6 +150,14 @@ double TablePlaces::least_gap(std::size_t object, const GroundPoint& centre) con
   return result;
 }
 
+TablePlaces::Reach TablePlaces::reach_of(const GroundPoint& centre) const {
+  if (!options_.reaches || options_.reaches(centre))
+    return Reach::direct;
+  if (options_.reaches_by_stop && options_.reaches_by_stop(centre))
+    return Reach::by_stop;
+  return options_.may_reach && options_.may_reach(centre) ? Reach::perhaps : Reach::none;
+}
+
 PlacesFound TablePlaces::on_top(std::size_t object, std::span<const PlaceWanted> places) const {
   const auto& landmarks = places.front().landmarks;
   if (places.size() > 1 || landmarks.size() != 1)
@@ -158,8 +168,10 @@ PlacesFound TablePlaces::on_top(std::size_t object, std::span<const PlaceWanted>
   const auto& x = objects_.at(below);
   if (!x.is_flat)
     return {{}, {}, "it would fall off: the top is not flat"};
+  // What it stands on itself is there, too.
   for (std::size_t i = 0; i < objects_.size(); ++i)
-    if (i != object && i != below && distance(objects_[i].centre, x.centre) < x.radius)
+    if (i != object && i != below && distance(objects_[i].centre, x.centre) < x.radius &&
+        objects_[i].bottom > x.top - height_inaccuracy)
       return {{}, {}, "something stands on it already"};
   return {{{x.centre, 1, {}}}, below, {}};
 }
@@ -175,6 +187,7 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
     /// Of the fit alone, and with how far away it is.
     double fit = 0;
     double value = 0;
+    bool is_likely = false;
   };
   std::vector<Candidate> candidates;
   bool is_somewhere = false;
@@ -191,28 +204,30 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
       if (fit <= 0)
         continue;
       is_somewhere = true;
-      const bool is_in_reach = !options_.reaches || options_.reaches(centre);
-      const bool may_be_in_reach =
-        is_in_reach || (options_.may_reach && options_.may_reach(centre));
+      const auto reach = reach_of(centre);
       const double gap = least_gap(object, centre);
       const bool has_room = gap >= std::min(options_.clearance, options_.least_clearance);
-      is_reached = is_reached || may_be_in_reach;
+      is_reached = is_reached || reach != Reach::none;
       is_free_somewhere = is_free_somewhere || has_room;
-      if (!may_be_in_reach || !has_room)
+      if (reach == Reach::none || !has_room)
         continue;
-      const bool is_last = !is_in_reach || gap < options_.clearance;
+      const int unlikely = static_cast<int>(reach) + (gap < options_.clearance ? 1 : 0);
       // Of equally good ones, the nearest to where it is.
-      const double far = 0.2 * distance(centre, x.centre);
+      const double far = 0.2 * distance(centre, x.centre) + off_side(places, x.centre, centre);
       const double narrow = 0.3 * std::max(0.0, 1 - gap / options_.ample_clearance);
       const double border = fits_around(places, object, centre) ? 0 : 1;
-      candidates.push_back({centre, fit, fit - far - narrow - border - (is_last ? last : 0)});
+      candidates.push_back(
+        {centre, fit, fit - far - narrow - border - unlikely * less_likely, unlikely == 0});
     }
   PlacesFound result;
   while (result.targets.size() < count && !candidates.empty()) {
     const auto best = *std::ranges::max_element(candidates, {}, &Candidate::value);
     result.targets.push_back({best.centre, best.fit, {}});
+    // A place beside one that is not possible may be.
     std::erase_if(candidates, [&](const Candidate& y) {
-      return distance(y.centre, best.centre) < 2 * x.radius + options_.clearance;
+      const bool are_likely = y.is_likely && best.is_likely;
+      return distance(y.centre, best.centre) <
+             (are_likely ? 2 * x.radius + options_.clearance : options_.close);
     });
   }
   if (result.targets.empty())
@@ -229,6 +244,21 @@ double TablePlaces::worst_fit(std::span<const PlaceWanted> places, std::size_t o
   for (const auto& place : places)
     result = std::min(result, fit(place, object, centre));
   return result;
+}
+
+/// Of what is to go to one side of the table only: how far it would go to another, and how little
+/// it would be on that one.
+double TablePlaces::off_side(std::span<const PlaceWanted> places, const GroundPoint& from,
+                             const GroundPoint& centre) const {
+  constexpr double aside_share = 1;
+  constexpr double unclear_share = 0.5;
+  const auto way = places.size() == 1 && places.front().landmarks.empty()
+                     ? way_to_side(places.front().relation)
+                     : std::nullopt;
+  if (!way)
+    return 0;
+  const double aside = std::abs((centre.x - from.x) * way->y - (centre.y - from.y) * way->x);
+  return aside_share * aside + unclear_share * (1 - clearness_on_side(*way, options_.area, centre));
 }
 
 /// Whether it still is there if it is put a little beside.

@@ -19,6 +19,9 @@ struct TableObject {
   double radius = 0.03;
   /// Whether something can stand on it.
   bool is_flat = true;
+  /// Of its lower and upper side, above the table.
+  double bottom = 0;
+  double top = 0;
 };
 
 /// As WantedPlace, with indices of objects as landmarks.
@@ -43,6 +46,8 @@ struct PlacingOptions {
   double ample_clearance = 0.06;
   /// Between the positions that are looked at, at most, metres.
   double step = 0.01;
+  /// Between positions that are found but may not be possible, metres.
+  double close = 0.03;
   /// Gap up to which something is near a landmark, metres.
   double near_gap = 0.08;
   /// Where things are put is so far inside of what is wanted, if possible, metres: hands and eyes
@@ -50,6 +55,9 @@ struct PlacingOptions {
   double inaccuracy = 0.015;
   /// Whether the object that is to be put somewhere can be put at a point; everywhere, if not set.
   std::function<bool(const GroundPoint&)> reaches = {};
+  /// Whether it can if it is put down on its way, to be held in another way; nowhere, if not set.
+  /// Such places come after those that it can be put at directly.
+  std::function<bool(const GroundPoint&)> reaches_by_stop = {};
   /// Whether that is not known, but may be; nowhere, if not set. Such places are the last.
   std::function<bool(const GroundPoint&)> may_reach = {};
 };
@@ -90,6 +98,10 @@ public:
                    std::size_t count = 1) const;
 
 private:
+  /// The more likely, the less.
+  enum class Reach { direct, by_stop, perhaps, none };
+
+  Reach reach_of(const GroundPoint& centre) const;
   double fit_to_landmark(const PlaceWanted& place, std::size_t object,
                          const GroundPoint& centre) const;
   double nearness(std::size_t object, const GroundPoint& centre, std::size_t landmark) const;
@@ -97,6 +109,8 @@ private:
   double least_gap(std::size_t object, const GroundPoint& centre) const;
   double worst_fit(std::span<const PlaceWanted> places, std::size_t object,
                    const GroundPoint& centre) const;
+  double off_side(std::span<const PlaceWanted> places, const GroundPoint& from,
+                  const GroundPoint& centre) const;
   bool fits_around(std::span<const PlaceWanted> places, std::size_t object,
                    const GroundPoint& centre) const;
   PlacesFound on_top(std::size_t object, std::span<const PlaceWanted> places) const;

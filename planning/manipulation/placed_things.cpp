@@ -23,6 +23,12 @@ bool are_as_large(const Solid& a, const Solid& b) {
          are_as_long(a.size.z, b.size.z);
 }
 
+/// What stands on another thing looks as if it were larger, and stood on the table behind it.
+bool is_stacked(const NamedSolid& x) {
+  constexpr double above_table = 0.01;
+  return x.pose.position.z - half_height(x.solid, x.pose.rotation) > above_table;
+}
+
 } // namespace
 
 void PlacedThings::put(const std::string& id, const SeenThing& before, const Pose& pose) {
@@ -39,7 +45,7 @@ void PlacedThings::correct(std::vector<SeenThing>& things) {
     if (seen == things.end() || seen->colour != placed.colour ||
         distance_on_table(seen->thing.pose.position, placed.thing.pose.position) > same_place)
       return true;
-    if (!are_as_large(seen->thing.solid, placed.thing.solid)) {
+    if (is_stacked(placed.thing) || !are_as_large(seen->thing.solid, placed.thing.solid)) {
       seen->thing.solid = placed.thing.solid;
       seen->thing.pose = placed.thing.pose;
     }

@@ -14,6 +14,8 @@ struct Scene {
   std::vector<NamedSolid> things;
   /// What the gripper holds; its pose is in the tool's frame.
   std::optional<NamedSolid> held;
+
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 /// The surface that an arm stands on is taken to be so long and so wide, metres.

@@ -49,6 +49,8 @@ struct NamedSolid {
   /// How much further its surface may be out than the solid says; metres. Who moves past it keeps
   /// that much more away.
   double uncertainty = 0;
+
+  friend bool operator==(const NamedSolid&, const NamedSolid&) = default;
 };
 
 /// Distance from the origin of a solid to the farthest of its points, metres.

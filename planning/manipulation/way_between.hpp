@@ -2,22 +2,54 @@
 
 #include "castor/planning/manipulation/manipulation_planner.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace castor::manipulation {
 
-/// Where no grasp of a thing fits both where it is and where it is to be, it is put down between,
-/// to be grasped in another way: the plan to put it at the first of the places from which it can
-/// be put at its goal, or else, where it can be turned so that it can then. Nothing if there is
-/// none.
-/// @param places in the arm's frame, on the table
-/// \throws std::invalid_argument if there is no such thing in the scene.
-std::optional<ManipulationPlan> plan_way_between(const ManipulationPlanner& planner,
-                                                 const Scene& scene, const std::string& thing,
-                                                 const PlaceGoal& goal,
-                                                 const std::vector<Point3>& places,
-                                                 const Configuration& start);
+/// Places where a thing can be put down on its way, to be grasped there in another way, where no
+/// grasp of it fits both where it is and where it is to be. They are found when they are needed for
+/// the first time, and kept for further goals.
+class StopsBetween {
+public:
+  /// @param planner has to outlive it
+  /// @param places in the arm's frame, on the table
+  /// \throws std::invalid_argument if there is no such thing in the scene.
+  StopsBetween(const ManipulationPlanner& planner, Scene scene, std::string thing,
+               const std::vector<Point3>& places, Configuration start);
+
+  /// Whether it is for that.
+  bool are_for(const Scene& scene, const std::string& thing, const Configuration& start) const;
+
+  /// The plan to put the thing at the first of the places from which it can be put at its goal, or
+  /// else, where it can be turned so that it can then. Nothing if there is none.
+  std::optional<ManipulationPlan> plan_to(const PlaceGoal& goal);
+
+private:
+  /// The thing, put down at a place, and the ways to take it there.
+  struct Stop {
+    PlaceGoal place;
+    /// Index of the stop at which it is put down before.
+    std::optional<std::size_t> before = {};
+    bool is_tried = false;
+    /// None if it cannot be put there.
+    std::optional<ManipulationPlanner::WaysToTake> ways = {};
+  };
+
+  const std::optional<ManipulationPlanner::WaysToTake>& ways_from(std::size_t index);
+  std::optional<ManipulationPlanner::WaysToTake>
+  ways_from_place(const ManipulationPlanner::WaysToTake& ways, const PlaceGoal& place) const;
+  const PlaceGoal& first_place(const Stop& stop) const;
+
+  const ManipulationPlanner& planner_;
+  Scene scene_;
+  std::string thing_;
+  Configuration start_;
+  /// Where it stands.
+  std::optional<ManipulationPlanner::WaysToTake> here_;
+  std::vector<Stop> stops_;
+};
 
 } // namespace castor::manipulation

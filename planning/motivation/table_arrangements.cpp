@@ -19,6 +19,12 @@ constexpr double half_depth = 0.16;
 /// Steps in which room is looked for, metres.
 constexpr double step = 0.02;
 
+/// Between neighbours in a line, if that is less to be moved, metres.
+constexpr double wide_gap = 0.06;
+
+/// How far from the middle of the table the rim of what is clearly on a side of it is, metres.
+constexpr double clearly_beyond = 0.03;
+
 struct Offset {
   double x = 0;
   double y = 0;
@@ -57,24 +63,47 @@ std::vector<std::size_t> ranks(const Things& things, Key key) {
   return result;
 }
 
-Offsets in_line(const Things& things, double x, double y) {
-  const auto rank = x > 0 ? ranks(things, [](const TableThing& t) { return t.x; })
-                          : ranks(things, [](const TableThing& t) { return t.y; });
-  Offsets result;
-  for (const auto i : rank) {
-    const double along = static_cast<double>(i) - (static_cast<double>(things.size()) - 1) / 2;
-    result.push_back({along * x, along * y});
+/// Where they stand on a line, by their ranks, around its middle.
+std::vector<double> on_line(const Things& things, const std::vector<std::size_t>& rank,
+                            double gap) {
+  std::vector<std::size_t> order(things.size());
+  for (std::size_t i = 0; i < rank.size(); ++i)
+    order[rank[i]] = i;
+  std::vector<double> result(things.size());
+  for (std::size_t k = 1; k < order.size(); ++k)
+    result[order[k]] =
+      result[order[k - 1]] + things[order[k - 1]]->radius + things[order[k]]->radius + gap;
+  const double middle = result[order.back()] / 2;
+  for (auto& x : result)
+    x -= middle;
+  return result;
+}
+
+/// With narrow and wider gaps.
+/// @param along the line, of length 1
+std::vector<Offsets> in_line(const Things& things, const std::vector<std::size_t>& rank,
+                             const Offset& along) {
+  std::vector<Offsets> result;
+  for (const double gap : {finger_gap, wide_gap}) {
+    auto& offsets = result.emplace_back();
+    for (const double way : on_line(things, rank, gap))
+      offsets.push_back({way * along.x, way * along.y});
   }
   return result;
 }
 
-/// From left to right in the order in which they are given.
-Offsets in_line_as_named(const Things& things) {
-  Offsets result;
-  for (std::size_t i = 0; i < things.size(); ++i)
-    result.push_back(
-      {spacing(things) * (static_cast<double>(i) - (static_cast<double>(things.size()) - 1) / 2),
-       0});
+std::vector<Offsets> in_row(const Things& things, const std::vector<std::size_t>& rank) {
+  return in_line(things, rank, {1, 0});
+}
+
+std::vector<Offsets> in_column(const Things& things) {
+  return in_line(things, ranks(things, [](const TableThing& t) { return t.y; }), {0, 1});
+}
+
+/// In the order in which they are given.
+std::vector<std::size_t> as_named(const Things& things) {
+  std::vector<std::size_t> result(things.size());
+  std::iota(result.begin(), result.end(), std::size_t{0});
   return result;
 }
 
@@ -120,41 +149,77 @@ Offsets apart(const Things& things, const Offset& middle, double factor) {
   return result;
 }
 
+/// Whether that is clearly on a side of the table; everything is on none.
+bool is_on_side(double x, double y, double radius, std::string_view side) {
+  const double least = radius + clearly_beyond;
+  return side.empty() || (side == "left" && x <= -least) || (side == "right" && x >= least) ||
+         (side == "front" && y <= -least) || (side == "back" && y >= least);
+}
+
+/// What is asked for besides how they stand to each other.
+struct Wanted {
+  std::span<const TableThing> table;
+  std::string_view side;
+};
+
 /// Whether all of them fit around a middle: on the table, and off what stands there now but the
 /// thing itself, since one is moved after the other.
 bool has_room(const Offset& middle, const Offsets& offsets, const Things& things,
-              std::span<const TableThing> table) {
+              const Wanted& wanted) {
+  constexpr double rounding = 1e-6;
   for (std::size_t i = 0; i < things.size(); ++i) {
     const double x = middle.x + offsets[i].x;
     const double y = middle.y + offsets[i].y;
-    if (std::abs(x) > half_width || std::abs(y) > half_depth)
+    if (std::abs(x) > half_width || std::abs(y) > half_depth ||
+        !is_on_side(x, y, things[i]->radius, wanted.side))
       return false;
-    for (const auto& other : table)
+    for (const auto& other : wanted.table)
       if (&other != things[i] && !other.is_held &&
-          std::hypot(other.x - x, other.y - y) < other.radius + things[i]->radius + finger_gap)
+          std::hypot(other.x - x, other.y - y) <
+            other.radius + things[i]->radius + finger_gap - rounding)
         return false;
   }
   return true;
 }
 
-/// The middle nearest to another one where there is room for all.
-std::vector<TableSpot> around(const Offset& wanted, const Offsets& offsets, const Things& things,
-                              std::span<const TableThing> table) {
+/// How much is to be moved, metres: those that are moved, how far, and to where arms reach less.
+double effort(const Offset& middle, const Offsets& offsets, const Things& things) {
+  constexpr double of_each = 0.1;
+  constexpr double of_back = 2;
+  double result = 0;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const double way =
+      std::hypot(middle.x + offsets[i].x - things[i]->x, middle.y + offsets[i].y - things[i]->y);
+    const double back = std::max(0.0, middle.y + offsets[i].y);
+    result += way < stands_right ? 0 : of_each + way + of_back * back;
+  }
+  return result;
+}
+
+/// Of one of these arrangements, around the middle with the least effort where there is room for
+/// all.
+std::vector<TableSpot> around(const std::vector<Offsets>& arrangements, const Things& things,
+                              const Wanted& wanted) {
   double least = std::numeric_limits<double>::infinity();
-  Offset best;
-  for (double x = -half_width; x <= half_width; x += step)
-    for (double y = -half_depth; y <= half_depth; y += step)
-      if (const double way = std::hypot(x - wanted.x, y - wanted.y);
-          way < least && has_room({x, y}, offsets, things, table)) {
-        least = way;
-        best = {x, y};
-      }
   std::vector<TableSpot> result;
-  if (std::isinf(least))
-    return result;
-  for (std::size_t i = 0; i < things.size(); ++i)
-    result.push_back(
-      {"spot-of-" + things[i]->object, best.x + offsets[i].x, best.y + offsets[i].y});
+  const auto try_around = [&](const Offset& middle, const Offsets& offsets) {
+    const double needed = effort(middle, offsets, things);
+    if (needed >= least || !has_room(middle, offsets, things, wanted))
+      return;
+    least = needed;
+    result.clear();
+    for (std::size_t i = 0; i < things.size(); ++i)
+      result.push_back(
+        {"spot-of-" + things[i]->object, middle.x + offsets[i].x, middle.y + offsets[i].y});
+  };
+  for (const auto& offsets : arrangements) {
+    // One of them stays where it is.
+    for (std::size_t i = 0; i < things.size(); ++i)
+      try_around({things[i]->x - offsets[i].x, things[i]->y - offsets[i].y}, offsets);
+    for (double x = -half_width; x <= half_width; x += step)
+      for (double y = -half_depth; y <= half_depth; y += step)
+        try_around({x, y}, offsets);
+  }
   return result;
 }
 
@@ -162,20 +227,22 @@ std::vector<TableSpot> around(const Offset& wanted, const Offsets& offsets, cons
 
 std::vector<TableSpot> arranged(std::string_view arrangement,
                                 const std::vector<const TableThing*>& things,
-                                std::span<const TableThing> table) {
-  const auto middle = middle_of(things);
+                                std::span<const TableThing> table, std::string_view side) {
+  const Wanted wanted{table, side};
   if (arrangement == "in-row")
-    return around(middle, in_line(things, spacing(things), 0), things, table);
+    return around(in_row(things, ranks(things, [](const TableThing& t) { return t.x; })), things,
+                  wanted);
   if (arrangement == "in-row-as-named")
-    return around(middle, in_line_as_named(things), things, table);
+    return around(in_row(things, as_named(things)), things, wanted);
   if (arrangement == "in-two-rows")
-    return around(middle, in_two_rows(things), things, table);
+    return around({in_two_rows(things)}, things, wanted);
   if (arrangement == "in-column")
-    return around(middle, in_line(things, 0, spacing(things)), things, table);
+    return around(in_column(things), things, wanted);
+  const auto middle = middle_of(things);
   if (arrangement == "in-ring")
-    return around(middle, in_ring(things, middle), things, table);
+    return around({in_ring(things, middle)}, things, wanted);
   for (const double factor : {2.0, 1.7, 1.5, 1.3})
-    if (auto result = around(middle, apart(things, middle, factor), things, table); !result.empty())
+    if (auto result = around({apart(things, middle, factor)}, things, wanted); !result.empty())
       return result;
   return {};
 }

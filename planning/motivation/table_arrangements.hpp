@@ -11,12 +11,14 @@ namespace castor::planning {
 /// Places for all of some things, so that they stand in a row from left to right, in a column, in a
 /// ring, or farther from each other. Each keeps its rank among the others, but in a row "as named"
 /// they stand in the order in which they are given; they go no farther than they have to, and where
-/// others stand, none is put.
+/// others stand, none is put. As few as possible are moved. Neighbours in a row or a column are as
+/// far from each other, from rim to rim.
 ///
 /// @param things two at least, of `table`
+/// @param side of the table where all of them are to be: left, right, front, back; or empty
 /// @returns a spot for each of the things, "spot-of-" and its object; none if there is no room
 std::vector<TableSpot> arranged(std::string_view arrangement,
                                 const std::vector<const TableThing*>& things,
-                                std::span<const TableThing> table);
+                                std::span<const TableThing> table, std::string_view side = {});
 
 } // namespace castor::planning

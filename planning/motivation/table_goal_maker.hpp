@@ -67,7 +67,7 @@ private:
 
   // -- places (table_goals_places.cpp); those with an optional result say why it is impossible
   TableGoal put();
-  TableGoal arrange(const std::string& arrangement);
+  TableGoal arrange(const std::string& arrangement, const std::string& side = {});
   TableGoal put_where_another_is(const DirectivePlace& place, const std::string& verb);
   std::optional<std::string> put_further(const Shift& shift, double distance, std::string& where);
   std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where);

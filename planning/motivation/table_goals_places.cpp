@@ -27,15 +27,19 @@ TableGoal TableGoalMaker::put() {
   choose();
   const auto verb = (step_.action == "Push" ? "push " : "put ") + listed(things_);
   std::string where;
-  // "In a row along the edge": at an edge they are in a row.
-  const bool is_in_part = std::ranges::any_of(step_.places, [](const DirectivePlace& x) {
+  const auto part = std::ranges::find_if(step_.places, [](const DirectivePlace& x) {
     return !words_for(part_words, x.relation).empty();
   });
   for (const auto& place : step_.places) {
-    if (communication::is_arrangement(place.relation) && is_in_part)
+    if (communication::is_arrangement(place.relation)) {
+      if (part == step_.places.end())
+        return arrange(place.relation);
+      auto goal = arrange(place.relation, part->relation);
+      if (goal.wish == TableWish::goal)
+        return goal;
+      // "In a row along the edge": at an edge they are in a row.
       continue;
-    if (communication::is_arrangement(place.relation))
-      return arrange(place.relation);
+    }
     if (place.relation == "both-sides")
       return put_on_both_sides(place);
     if (place.relation == "where" || place.relation == "where-before")
@@ -54,8 +58,11 @@ TableGoal TableGoalMaker::put() {
 }
 
 /// In a row, a column or a ring, or far from each other.
-TableGoal TableGoalMaker::arrange(const std::string& arrangement) {
-  const auto words = std::string{words_for(arrangement_words, arrangement)};
+/// @param side of the table, or empty
+TableGoal TableGoalMaker::arrange(const std::string& arrangement, const std::string& side) {
+  auto words = std::string{words_for(arrangement_words, arrangement)};
+  if (!side.empty())
+    words += ' ' + std::string{words_for(part_words, side)};
   if (things_.size() < 2)
     return refusal("That takes two things at least.");
   if (arrangement == "in-two-rows" && things_.size() < 4)
@@ -64,12 +71,19 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement) {
     return refusal("A circle takes three things at least.");
   if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
     return refusal("I hold " + (*held)->words + ". Tell me to put it down first.");
-  spots_ = arranged(arrangement, things_, table_);
+  spots_ = arranged(arrangement, things_, table_, side);
   if (spots_.empty())
     return refusal("There is no room to put them " + words +
                    ". Take something away first, or tell me fewer things.");
-  for (std::size_t i = 0; i < things_.size(); ++i)
-    facts_.push_back("(= (pos " + things_[i]->object + ") " + spots_[i].name + ')');
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    const auto& x = *things_[i];
+    const bool is_right = std::hypot(spots_[i].x - x.x, spots_[i].y - x.y) < stands_right;
+    facts_.push_back("(= (pos " + x.object + ") " + (is_right ? x.waypoint : spots_[i].name) + ')');
+  }
+  std::erase_if(spots_, [&](const TableSpot& x) {
+    return std::ranges::none_of(
+      facts_, [&](const std::string& fact) { return fact.ends_with(' ' + x.name + ')'); });
+  });
   return goal("put " + listed(things_) + ' ' + words + but_what_is_kept(),
               listed(things_) + are(things_) + ' ' + words + " now" + but_what_is_kept());
 }

@@ -20,6 +20,9 @@ struct TableSpot {
 /// Fingers fit into such a gap between two things, metres.
 inline constexpr double finger_gap = 0.035;
 
+/// What stands so near to its place is not moved to it, metres.
+inline constexpr double stands_right = 0.008;
+
 /// Something on the table that requests are about.
 struct TableThing {
   /// The proxy by which requests refer to it.

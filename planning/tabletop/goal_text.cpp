@@ -17,6 +17,18 @@ bool contains_word(std::string_view text, std::string_view word) {
   return false;
 }
 
+bool is_subject(std::string_view goal, std::string_view thing) {
+  for (auto open = goal.find('('); open != std::string_view::npos;
+       open = goal.find('(', open + 1)) {
+    const auto begin = goal.find_first_of(" ()", open + 1);
+    if (begin == std::string_view::npos || goal[begin] != ' ')
+      continue;
+    if (goal.substr(begin + 1, goal.find_first_of(" ()", begin + 1) - begin - 1) == thing)
+      return true;
+  }
+  return false;
+}
+
 std::vector<std::string> parts_in(std::string_view goal) {
   constexpr std::string_view head = "(in-part ";
   std::set<std::string> result;

@@ -1,6 +1,7 @@
 #include "castor/planning/tabletop/request_queue.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace castor::planning {
@@ -82,14 +83,36 @@ void RequestQueue::done() {
   steps_.motive = {};
 }
 
-void RequestQueue::give_up() {
-  const auto& move = steps_.current.move.address;
+void RequestQueue::give_up(bool undoes) {
+  const auto move = steps_.current.move.address;
   steps_.motive = {};
   steps_.given_up = {steps_.current};
   for (const auto& x : steps_.waiting)
     if (x.move.address == move)
       steps_.given_up.push_back(x);
   drop_steps_of(move);
+  if (!undoes)
+    return;
+  RequestedStep undo{steps_.current.move, {}, steps_.current.agrees_to};
+  undo.what.action = "Undo";
+  steps_.waiting.insert(steps_.waiting.begin(), std::move(undo));
+}
+
+std::vector<RequestedStep> without_needless_moves(std::vector<RequestedStep> steps) {
+  std::vector<RequestedStep> result;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto& places = steps[i].what.places;
+    const bool is_vague =
+      places.size() == 1 && (places[0].relation == "elsewhere" || places[0].relation == "aside");
+    const auto* next = i + 1 < steps.size() ? &steps[i + 1].what : nullptr;
+    const bool is_taken_next = next != nullptr && next->places.empty() &&
+                               (next->action == "Give" || next->action == "Take") &&
+                               next->things == steps[i].what.things &&
+                               next->number == steps[i].what.number;
+    if (!is_vague || !is_taken_next)
+      result.push_back(std::move(steps[i]));
+  }
+  return result;
 }
 
 } // namespace castor::planning

@@ -40,12 +40,17 @@ public:
   /// The current step is done; `next` has the one after it.
   void done();
   /// The current step cannot be done: nor are those of its request that come after it.
-  void give_up();
+  /// @param undoes whether what was done of it is undone next
+  void give_up(bool undoes = false);
 
 private:
   void drop_steps_of(const Address& move);
 
   RequestedSteps steps_;
 };
+
+/// Without the steps that only move a thing off its place that the next one takes or gives:
+/// "Take the cube off the table and give it to me."
+std::vector<RequestedStep> without_needless_moves(std::vector<RequestedStep> steps);
 
 } // namespace castor::planning

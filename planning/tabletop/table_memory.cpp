@@ -310,7 +310,7 @@ StateReply TableMemory::state(std::string_view goal,
         tell_place(waypoint, place, result);
   }
   const auto is_movable = [&](const std::string& name) {
-    return thing(name) != nullptr && contains_word(goal, name);
+    return thing(name) != nullptr && is_subject(goal, name);
   };
   for (auto& x : in_way_.facts(is_movable))
     result.facts.push_back(std::move(x));

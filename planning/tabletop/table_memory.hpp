@@ -90,6 +90,8 @@ public:
   /// Things are not to be touched from now on, nothing is to be put on them, or both is allowed, as
   /// the goal says.
   void keep(const TableGoal& goal);
+  /// Whether something was moved for the goal.
+  bool has_moved() const { return !is_unmoved_; }
   /// Remembers where things are now.
   void note_places();
 

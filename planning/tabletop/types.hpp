@@ -41,6 +41,8 @@ struct TableProblem {
   std::string reason;
   /// What would help, a sentence; may be empty.
   std::string help;
+  /// Whether steps before it were done.
+  bool has_begun = false;
 };
 
 inline constexpr const char* table_problem = "table problem";
@@ -146,7 +148,7 @@ struct RequestedSteps {
 
 inline constexpr const char* requested_steps = "requested steps";
 
-CASTOR_REFLECT(TableProblem, reason, help)
+CASTOR_REFLECT(TableProblem, reason, help, has_begun)
 CASTOR_REFLECT(TableGoalRequest, step, begins)
 CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result, things, is_impossible)
 CASTOR_REFLECT(RequestedStep, move, what, agrees_to)

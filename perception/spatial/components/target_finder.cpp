@@ -20,7 +20,8 @@ namespace {
 
 /// The disc that a box fits in, from above. Boxes do not tell what is round on top.
 TableObject table_object(const geometry::AlignedBox& box) {
-  return {ground_point(box), std::hypot(box.size.x, box.size.y) / 2 / std::sqrt(2.0), true};
+  return {ground_point(box), std::hypot(box.size.x, box.size.y) / 2 / std::sqrt(2.0), true,
+          box.centroid.z - box.size.z / 2, box.centroid.z + box.size.z / 2};
 }
 
 /// Answers where something could be put: calls with a SpatialRelationshipTargetQuery or with a
@@ -104,6 +105,11 @@ class TargetFinder final : public UnmanagedComponent {
     }
     options.reaches = [reach = *told.front(), height, ways](const GroundPoint& x) {
       return (ways_at(reach, x, height) & ways) != 0;
+    };
+    // As it can be held somewhere where it can also be held as it is here.
+    const auto ways_by_stop = ways_by_way_of(*told.front(), height, ways);
+    options.reaches_by_stop = [reach = *told.front(), height, ways_by_stop](const GroundPoint& x) {
+      return (ways_at(reach, x, height) & ways_by_stop) != 0;
     };
     // The arm finds out whether there is room for its hand.
     options.least_clearance = 0.005;

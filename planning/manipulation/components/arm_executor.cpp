@@ -138,9 +138,11 @@ class ArmExecutor final : public ResumesManipulation {
   /// To be tried again from there.
   std::optional<ActionResult> put_between(const SeenThing& thing, const PlaceGoal& goal) {
     const auto reason = told_.reason;
-    const auto plan =
-      plan_way_between(*planner_, scene(), thing.thing.name, goal,
-                       free_places(things_, thing.thing.solid.size.x, true), joints());
+    const auto& name = thing.thing.name;
+    if (!stops_between_ || !stops_between_->are_for(scene(), name, joints()))
+      stops_between_.emplace(*planner_, scene(), name,
+                             free_places(things_, thing.thing.solid.size.x, true), joints());
+    const auto plan = stops_between_->plan_to(goal);
     if (!plan)
       return ActionResult::failed(reason);
     told_.plans += plan->motions;
@@ -312,8 +314,7 @@ class ArmExecutor final : public ResumesManipulation {
                                            const TablePlace& to) {
     const auto* seen = find_like(things_, thing, goal->position, near_);
     if (seen) {
-      if (to.on.address.id.empty())
-        placed_.put(seen->id, thing, *goal);
+      placed_.put(seen->id, thing, *goal);
       return succeeded_at(*seen);
     }
     // What stands on another thing may be one thing with it for vision.

@@ -43,6 +43,7 @@ protected:
     options.timing.acceleration_share = acceleration_;
     options.motions.time_limit = planning_time_;
     options.motions.algorithm = planning_algorithm(algorithm_.get());
+    stops_between_.reset();
     planner_.emplace(able_, options);
     ReachMapOptions reach;
     reach.width = table_width_;
@@ -355,6 +356,8 @@ protected:
   /// What a predecessor has left is dealt with just now.
   bool is_resuming_ = false;
   std::optional<ManipulationPlanner> planner_;
+  /// Of the last thing that could be put somewhere only with a stop between; by the planner.
+  std::optional<StopsBetween> stops_between_;
   /// Names of the joints that do not move any more.
   std::vector<std::string> still_joints_;
   /// The one that runs, or null.

@@ -44,8 +44,8 @@ class TableExecutor final : public FindsPlaces {
         const auto told = read_all_in<manipulation::Manipulation>(manipulation(), 1);
         const auto reason =
           told.empty() ? why.reason : with_joints(why.reason, told.front()->still_joints);
-        put(here(table_problem),
-            TableProblem{with_words(reason, nouns()), with_words(why.help, nouns())});
+        put(here(table_problem), TableProblem{with_words(reason, nouns()),
+                                              with_words(why.help, nouns()), memory_.has_moved()});
       }
       return result;
     });

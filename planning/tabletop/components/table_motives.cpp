@@ -126,6 +126,7 @@ class TableMotives final : public HearsRequests {
         steps.push_back({referents.move, x, referents.agrees_to});
     if (steps.empty())
       return;
+    steps = without_needless_moves(std::move(steps));
     const bool has_to_wait = (queue_.is_busy() || !queue_.steps().waiting.empty()) &&
                              !referents.corrects && !referents.comes_first;
     withdraw(queue_.add(steps, referents));
@@ -192,6 +193,7 @@ class TableMotives final : public HearsRequests {
   bool is_over() {
     const auto& known = queue_.steps();
     const auto move = known.current.move;
+    bool is_half_done = false;
     try {
       const auto motive = read<Motive>(known.motive);
       if (motive->status == MotiveStatus::completed) {
@@ -203,14 +205,15 @@ class TableMotives final : public HearsRequests {
       }
       if (motive->status != MotiveStatus::rejected && motive->status != MotiveStatus::dropped)
         return false;
-      const auto [reason, help] = problem(*motive);
+      const auto why = problem(*motive);
       reply(move, MotiveReply::impossible,
-            explained(motive->words, reason) + (help.empty() ? "" : ' ' + help));
+            explained(motive->words, why.reason) + (why.help.empty() ? "" : ' ' + why.help));
+      is_half_done = why.has_begun && known.current.what.action == "Swap";
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
       reply(move, MotiveReply::impossible, "I do not know any more what I was doing.");
     }
-    queue_.give_up();
+    queue_.give_up(is_half_done);
     return true;
   }
 
@@ -223,7 +226,7 @@ class TableMotives final : public HearsRequests {
       debug("{}", e.what());
     }
     const auto why = explanation_of_planning(motive.history.back().why);
-    return {why.reason, why.help};
+    return {why.reason, why.help, false};
   }
 
   /// So that the robot can be asked why it did not do it.

@@ -53,6 +53,14 @@ TEST(Reach, WaysAroundAreThoseOfAnyPointAndHeightAround) {
   EXPECT_EQ(ways_around(x, {0.21, 0}, 0.02), 0U);
 }
 
+TEST(Reach, WaysByWayOfOthersAreThoseOfPointsThatShareOne) {
+  const auto x = reach();
+  EXPECT_EQ(ways_by_way_of(x, 0.02, 0b100), 0b111U);
+  EXPECT_EQ(ways_by_way_of(x, 0.06, 0b100), 0b110U);
+  EXPECT_EQ(ways_by_way_of(x, 0.06, 0b001), 0U);
+  EXPECT_EQ(ways_by_way_of(x, 0.02, 0), 0U);
+}
+
 TEST(Reach, NeedsAWayForEachPoint) {
   auto x = reach();
   x.ways.pop_back();

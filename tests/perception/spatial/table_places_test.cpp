@@ -81,6 +81,16 @@ TEST(TablePlaces, OnAFlatThingOnly) {
             "nothing can stand on itself");
 }
 
+TEST(TablePlaces, OnATowerButNotOnWhatIsBelow) {
+  const std::vector<TableObject> objects{{{0, 0}, 0.03, true, 0, 0.05},
+                                         {{0, 0}, 0.03, true, 0.05, 0.1},
+                                         {{0.2, 0}, 0.03, true, 0, 0.05}};
+  const TablePlaces table{objects, seat};
+  EXPECT_EQ(table.find(2, std::vector{PlaceWanted{"on", {1}}}).on, 1U);
+  EXPECT_EQ(table.find(2, std::vector{PlaceWanted{"on", {0}}}).reason,
+            "something stands on it already");
+}
+
 TEST(TablePlaces, PartsOfTheTable) {
   const TablePlaces table{three, seat};
   EXPECT_LT(place_of(table, blue_box, {"left-edge", {}}).x, -0.30 + 0.04 + edge_width);
@@ -93,6 +103,22 @@ TEST(TablePlaces, PartsOfTheTable) {
   const auto strip = place_of(table, red_ball, {"strip-3-of-3", {}});
   EXPECT_GT(strip.x, 0.10);
   EXPECT_THROW(table.find(red_ball, std::vector{PlaceWanted{"attic", {}}}), std::invalid_argument);
+}
+
+/// It goes straight to the side, as far as there is room, and clearly onto it.
+TEST(TablePlaces, ToASideOfTheTableIsStraightThere) {
+  const std::vector<TableObject> objects{
+    {{-0.12, 0.06}, 0.0275}, {{-0.16, -0.09}, 0.03}, {{0.02, -0.02}, 0.03}, {{0.2, -0.06}, 0.03}};
+  const TablePlaces table{objects, seat};
+  const auto front = place_of(table, 0, {"front", {}});
+  EXPECT_LT(front.y, -0.10);
+  EXPECT_LT(std::abs(front.x + 0.12), 0.08);
+  const auto right = place_of(table, 2, {"right", {}});
+  EXPECT_GT(right.x, 0.10);
+  EXPECT_LT(std::abs(right.y + 0.02), 0.08);
+  const auto left_edge = place_of(table, 3, {"left-edge", {}});
+  EXPECT_LT(left_edge.x, -0.30 + 0.03 + edge_width);
+  EXPECT_LT(std::abs(left_edge.y + 0.06), 0.08);
 }
 
 TEST(TablePlaces, WhatIsBeyondTheEdgeIsOnThatSideOfTheTable) {
@@ -126,6 +152,28 @@ TEST(TablePlaces, NarrowStripAtTheEdge) {
     EXPECT_NEAR(side * at.x, 0.272, 1e-9);
     EXPECT_GT(at.y, -0.11);
   }
+}
+
+/// Where it cannot be put directly, the best place is not passed over for one that is possible
+/// neither directly nor with a stop, and what is beside it is tried as well.
+TEST(TablePlaces, PlacesWithAStopBetweenAreCloseAndBeforeThoseThatAreUncertain) {
+  PlacingOptions options;
+  options.reaches = [](const GroundPoint&) { return false; };
+  options.reaches_by_stop = [](const GroundPoint& at) { return at.y < -0.06 && at.y > -0.12; };
+  options.may_reach = [](const GroundPoint&) { return true; };
+  const TablePlaces table{three, seat, options};
+  const std::vector<PlaceWanted> wanted{PlaceWanted{"front", {blue_box}}};
+  const auto found = table.find(red_ball, wanted, 3);
+  ASSERT_EQ(found.targets.size(), 3U);
+  for (const auto& x : found.targets) {
+    EXPECT_GT(x.position.y, -0.12);
+    EXPECT_LT(distance(x.position, found.targets.front().position), 0.09);
+  }
+  // One by one, those that it can be put at directly are as far apart as two of its kind.
+  options.reaches = options.reaches_by_stop;
+  const auto direct = TablePlaces{three, seat, options}.find(red_ball, wanted, 2);
+  ASSERT_EQ(direct.targets.size(), 2U);
+  EXPECT_GE(distance(direct.targets[0].position, direct.targets[1].position), 0.08 - 1e-9);
 }
 
 /// Whatever is found is on the table, fits, and is free.

@@ -145,8 +145,12 @@ TEST_F(CarriedOutPlans, PutAThingDownBetweenToHoldItInAnotherWay) {
   const auto scene = body_->world().scene();
   ASSERT_TRUE(
     std::holds_alternative<MotionFailure>(planner_.pick_and_place(scene, "the can", far, aside())));
-  const auto first =
-    plan_way_between(planner_, scene, "the can", far, free_places({}, 0.05, true), aside());
+  StopsBetween stops{planner_, scene, "the can", free_places({}, 0.05, true), aside()};
+  EXPECT_TRUE(stops.are_for(scene, "the can", aside()));
+  EXPECT_FALSE(stops.are_for(scene, "the ball", aside()));
+  // Stops that are known already serve for another goal.
+  EXPECT_FALSE(stops.plan_to(at(0.7, 0.05)));
+  const auto first = stops.plan_to(far);
   ASSERT_TRUE(first);
   ASSERT_TRUE(carry_out_all(*first)) << stopped_at_;
   const auto then = expect_plan(

@@ -55,6 +55,16 @@ TEST(PlacedThings, AreWhereTheyAreSeenIfTheyAreSeenAsLarge) {
   EXPECT_EQ(things[0].thing.pose.position.x, 0.21);
 }
 
+/// It looks larger, and farther away, than it is.
+TEST(PlacedThings, OnAnotherThingTheyAreAsHighAsTheyWerePut) {
+  PlacedThings placed;
+  const Pose there{{0.2, 0, 0.075}, {}, arm_frame};
+  placed.put("1", seen("1", "cube", cube, 0.4, 0.1), there);
+  std::vector<SeenThing> things{seen("1", "cube", box(0.052, 0.052, 0.052), 0.22, 0)};
+  placed.correct(things);
+  EXPECT_EQ(things[0].thing.pose, there);
+}
+
 TEST(PlacedThings, AreForgottenOnceSomebodyElseHasMovedThem) {
   PlacedThings placed;
   const Pose there{{0.2, 0, 0.025}, {}, arm_frame};

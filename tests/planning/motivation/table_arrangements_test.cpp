@@ -43,6 +43,40 @@ TEST(TableArrangements, ARowKeepsTheOrderFromLeftToRight) {
   EXPECT_DOUBLE_EQ(row[2].x - row[1].x, row[0].x - row[2].x);
 }
 
+TEST(TableArrangements, NeighboursInARowAreAsFarFromEachOtherWhateverTheirSize) {
+  std::vector table{thing_at("a", -0.15, 0.05), thing_at("b", 0, -0.02), thing_at("c", 0.15, 0.04)};
+  table[0].radius = 0.05;
+  table[1].radius = 0.02;
+  const auto row = arranged("in-row", first(table, 3), table);
+  ASSERT_EQ(row.size(), 3U);
+  const double left = row[1].x - row[0].x - table[0].radius - table[1].radius;
+  const double right = row[2].x - row[1].x - table[1].radius - table[2].radius;
+  EXPECT_NEAR(left, right, 1e-9);
+  EXPECT_NEAR(row[0].y, row[1].y, 1e-9);
+  EXPECT_NEAR(row[1].y, row[2].y, 1e-9);
+}
+
+TEST(TableArrangements, WhatStandsRightStays) {
+  const std::vector table{thing_at("a", -0.12, -0.05), thing_at("b", -0.02, -0.05),
+                          thing_at("c", 0.15, 0.1)};
+  const auto row = arranged("in-row", first(table, 3), table);
+  ASSERT_EQ(row.size(), 3U);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_LT(std::hypot(row[i].x - table[i].x, row[i].y - table[i].y), stands_right);
+}
+
+TEST(TableArrangements, ARowOnASideOfTheTable) {
+  const std::vector table{thing_at("a", -0.15, 0.05), thing_at("b", 0, 0.1),
+                          thing_at("c", 0.15, 0)};
+  for (const auto& spot : arranged("in-row", first(table, 3), table, "front"))
+    EXPECT_LT(spot.y, -0.05);
+  const auto left = arranged("in-column", first(table, 2), table, "left");
+  ASSERT_EQ(left.size(), 2U);
+  EXPECT_LT(left[0].x, -0.05);
+  EXPECT_LT(left[1].x, -0.05);
+  EXPECT_TRUE(arranged("in-row", first(table, 3), table, "attic").empty());
+}
+
 TEST(TableArrangements, AColumnGoesFromTheFrontToTheBack) {
   const std::vector table{thing_at("a", 0.1, 0.05), thing_at("b", -0.15, -0.05)};
   const auto column = arranged("in-column", first(table, 2), table);

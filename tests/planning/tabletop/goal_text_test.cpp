@@ -19,6 +19,14 @@ TEST(ContainsWord, WholeWordsOnly) {
   EXPECT_TRUE(contains_word("(left-of ball-2 ball)", "ball"));
 }
 
+TEST(IsSubject, NotWhatAnotherIsPutAt) {
+  constexpr auto goal = "(and (between ball box disc) (= (pos cup) place-1) (held can))";
+  for (const auto* subject : {"ball", "cup", "can"})
+    EXPECT_TRUE(is_subject(goal, subject)) << subject;
+  for (const auto* other : {"box", "disc", "place-1", "bal", "between"})
+    EXPECT_FALSE(is_subject(goal, other)) << other;
+}
+
 TEST(PartsIn, AreNoArrangementsAndNoPlacesOnThings) {
   EXPECT_THAT(
     parts_in("(and (in-part a left) (in-part a in-row) (in-part a apart) (in-part a on))"),

@@ -189,4 +189,30 @@ TEST_F(RequestQueueTest, GoesOnWithWhatAPredecessorKnew) {
   EXPECT_EQ(successor.steps().current.what.action, "Take");
 }
 
+TEST_F(RequestQueueTest, UndoesWhatIsHalfDoneBeforeOtherRequests) {
+  queue.add({step("a", "Swap"), step("a", "Put")}, {});
+  queue.add({step("b", "Give")}, {});
+  begin();
+  queue.give_up(true);
+  EXPECT_EQ(queue.steps().waiting.front().move.address.id, "a");
+  EXPECT_THAT(rest(), ElementsAre("Undo", "Give"));
+}
+
+TEST(WithoutNeedlessMoves, WhatIsGivenNextIsNotPutSomewhereBefore) {
+  auto off = step("a", "Put");
+  off.what.things = {"cube"};
+  off.what.places = {{"elsewhere", {}}};
+  auto give = step("a", "Give");
+  give.what.things = {"cube"};
+  EXPECT_EQ(without_needless_moves({off, give}), std::vector{give});
+  auto other = give;
+  other.what.things = {"ball"};
+  EXPECT_EQ(without_needless_moves({off, other}).size(), 2U);
+  auto left = off;
+  left.what.places = {{"left", {}}};
+  EXPECT_EQ(without_needless_moves({left, give}).size(), 2U);
+  EXPECT_EQ(without_needless_moves({off, left}).size(), 2U);
+  EXPECT_EQ(without_needless_moves({give, off}).size(), 2U);
+}
+
 } // namespace castor::planning

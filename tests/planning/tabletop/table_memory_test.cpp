@@ -195,6 +195,7 @@ TEST_F(TableMemoryTest, WhatIsInTheWayIsMovedBeforeIfTheGoalIsAboutIt) {
   memory.refused("p1", {"o2"});
   EXPECT_THAT(facts(goal), Contains(in_way));
   EXPECT_THAT(facts("(in-part p1 left)"), Not(Contains(in_way)));
+  EXPECT_THAT(facts("(near p1 p2)"), Not(Contains(in_way)));
   // Only one can come first.
   memory.refused("p2", {"o1"});
   EXPECT_THAT(facts(goal), Not(Contains("(in-way p1 p2)")));
