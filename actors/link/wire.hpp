@@ -2,6 +2,7 @@
 
 #include "castor/actors/link/wire_members.hpp"
 #include "castor/base/caf.hpp"
+#include "castor/base/small_vector.hpp"
 #include "castor/wm/entries/entry.hpp"
 #include "castor/wm/entries/failure.hpp"
 #include "castor/wm/values/encoding.hpp"
@@ -106,6 +107,11 @@ public:
 
   template <class T>
   void put(const std::vector<T>& x) {
+    put_all(x);
+  }
+
+  template <class T, std::size_t N>
+  void put(const SmallVector<T, N>& x) {
     put_all(x);
   }
 
@@ -217,6 +223,13 @@ public:
 
   template <class T>
   void get(std::vector<T>& x) {
+    x.clear();
+    for (auto n = take_count(); n > 0; --n)
+      x.push_back(take<T>());
+  }
+
+  template <class T, std::size_t N>
+  void get(SmallVector<T, N>& x) {
     x.clear();
     for (auto n = take_count(); n > 0; --n)
       x.push_back(take<T>());

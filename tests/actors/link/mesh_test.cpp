@@ -189,7 +189,7 @@ TEST_F(TwoProcesses, EventsArriveInOrder) {
     self->receive([&](const ChangeNotice& x) {
       EXPECT_EQ(x.event->address.id, std::to_string(i));
       EXPECT_EQ(x.event->type_name(), "Box");
-      EXPECT_EQ(x.filters, std::vector<FilterId>{5});
+      EXPECT_EQ(x.filters, FilterIds{5});
     });
 }
 

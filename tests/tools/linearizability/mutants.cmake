@@ -163,7 +163,8 @@ castor_mutant(deaths_settle_nothing wm/memory/working_memory_shell.cpp
 castor_mutant(changes_told_backwards wm/memory/subscriptions.cpp
   FROM "batch_of(number, notices).push_back({event, std::move(ids)});"
   TO "auto& batch = batch_of(number, notices);
-    batch.insert(batch.begin(), ChangeNotice{event, std::move(ids)});")
+    batch.push_back({event, std::move(ids)});
+    std::ranges::rotate(batch, batch.end() - 1);")
 
 castor_mutant(nobody_is_told_of_deletions wm/memory/peer_routes.cpp
   FROM "interests_.match(event, content, matched_);"
