@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/actors/link/received_content.hpp"
 #include "castor/actors/link/wire_members.hpp"
 #include "castor/base/caf.hpp"
 #include "castor/base/small_vector.hpp"
@@ -39,9 +40,6 @@ public:
   virtual TypeDescriptorPtr type_of(std::uint64_t hash) = 0;
 };
 
-/// Contents of at least this size in bytes are shared with the message rather than copied into it.
-inline constexpr std::size_t shared_content = 4096;
-
 /// A message would exceed the largest size.
 class MessageTooLarge : public std::length_error {
 public:
@@ -61,10 +59,12 @@ public:
   /// Initial capacity in bytes, enough for most messages.
   static constexpr std::size_t usual_head = 128;
 
-  /// Takes messages of up to `largest` bytes.
+  /// Takes messages of up to `largest` bytes. Contents of at least `shared_content` bytes are
+  /// shared with the message rather than copied into it.
   explicit WireWriter(WireNames& names,
-                      std::size_t largest = std::numeric_limits<std::size_t>::max())
-    : names_(names), largest_(largest) {
+                      std::size_t largest = std::numeric_limits<std::size_t>::max(),
+                      std::size_t shared_content = 4096)
+    : names_(names), largest_(largest), shared_content_(shared_content) {
     head_.reserve(usual_head);
   }
 
@@ -164,6 +164,7 @@ private:
 
   WireNames& names_;
   const std::size_t largest_;
+  const std::size_t shared_content_;
   Bytes head_;
   Encoder encoder_{head_};
   std::vector<Value> contents_;
@@ -177,7 +178,8 @@ public:
   bool at_end() const { return decoder_.remaining() == 0; }
   static constexpr bool writes = false;
 
-  WireReader(WireNames& names, std::span<const std::uint8_t> head, std::vector<Bytes> contents)
+  WireReader(WireNames& names, std::span<const std::uint8_t> head,
+             std::vector<ReceivedContentPtr> contents)
     : names_(names), decoder_(head), contents_(std::move(contents)) {}
 
   template <class... Ts>
@@ -285,7 +287,7 @@ private:
 
   WireNames& names_;
   Decoder decoder_;
-  std::vector<Bytes> contents_;
+  std::vector<ReceivedContentPtr> contents_;
   std::size_t next_content_ = 0;
 };
 

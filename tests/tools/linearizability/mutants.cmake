@@ -224,3 +224,11 @@ castor_node_mutant(leases_never_expire wm/leases/lease_table.cpp
 castor_node_mutant(leases_expire_too_early wm/leases/lease_table.cpp
   FROM "level, now + options_.duration}, client"
   TO "level, now + options_.duration / 2}, client")
+
+castor_node_mutant(stale_values_are_referred_to actors/link/kept_contents.cpp
+  FROM "auto i = by_value_.find(x.weak());"
+  TO "static std::map<std::pair<SentContents*, std::string>, std::weak_ptr<const void>> firsts;
+  auto& first = firsts[{this, x.type_name()}];
+  auto i = by_value_.find(first);
+  if (i == by_value_.end())
+    i = by_value_.find(first = x.weak());")
