@@ -196,9 +196,9 @@ caf::actor spawn_link(LinkParts parts) {
   auto peer = parts.peer;
   auto record = std::make_shared<LinkRecord>(peer);
   parts.self.receiver = peer;
-  auto largest_message = parts.options.session.largest_message;
+  auto limits = parts.options.session;
   auto result = mesh->system().middleman().spawn_broker(link, std::move(parts), record);
-  mesh->add_link(result, std::move(record), largest_message);
+  mesh->add_link(result, std::move(record), limits);
   return result;
 }
 

@@ -46,6 +46,10 @@ public:
   /// most.
   virtual std::optional<caf::message> receipt_if_dropped(const Content& x) const = 0;
 
+  /// Whether values in the message may be sent to the same process again, as those of entries that
+  /// several of its components read.
+  virtual bool may_repeat(const Content& x) const = 0;
+
   /// Function to call once the peer has received the whole message; empty for most.
   virtual OnArrival on_arrival(ProcessNumber peer, const caf::strong_actor_ptr& sender,
                                const Content& x) = 0;

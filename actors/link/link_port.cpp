@@ -28,7 +28,7 @@ void LinkPort::send(ActorName to, caf::mailbox_element& x) {
     else
       send_checked(to, x);
   } catch (const MessageTooLarge& e) {
-    refuse(to, x, parts_.messages->too_large(x.content(), e.size(), parts_.largest_message));
+    refuse(to, x, parts_.messages->too_large(x.content(), e.size(), parts_.limits.largest_message));
   }
 }
 
@@ -53,7 +53,7 @@ void LinkPort::refuse(ActorName to, caf::mailbox_element& x, const Failure& why)
 
 void LinkPort::send_checked(ActorName to, caf::mailbox_element& x) {
   auto& content = x.content();
-  WireWriter out{*parts_.names, parts_.largest_message};
+  WireWriter out{*parts_.names, parts_.limits.largest_message, parts_.limits.shared_content};
   auto sender = parts_.names->name_of(x.sender);
   auto number = static_cast<std::uint32_t>(to);
   bool is_for_clock = number == static_cast<std::uint32_t>(clock_number);
@@ -81,6 +81,7 @@ void LinkPort::send_checked(ActorName to, caf::mailbox_element& x) {
     }
   }
   OutgoingMessage message{out.take_head(), out.take_contents(), lane_of(sender, number)};
+  message.may_repeat = !message.contents.empty() && parts_.messages->may_repeat(content);
   LinkRecord::add(parts_.record->events_out, parts_.messages->count_events(content));
   if (auto arrived = parts_.messages->on_arrival(parts_.peer, x.sender, content))
     message.arrived = [names = parts_.names, to, arrived = std::move(arrived)] {

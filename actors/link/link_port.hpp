@@ -32,8 +32,8 @@ struct LinkPortParts {
   caf::actor link;
   std::shared_ptr<LinkRecord> record;
   std::shared_ptr<LinkClock> clock = std::make_shared<LinkClock>();
-  /// Largest message that the peer takes, in bytes.
-  std::size_t largest_message = SessionLimits{}.largest_message;
+  /// The peer's are the same.
+  SessionLimits limits = {};
 };
 
 /// Sends messages of local actors over the link to another process. Safe to use from any thread.

@@ -50,7 +50,7 @@ caf::strong_actor_ptr Mesh::well_known(ProcessNumber process, WellKnownActor num
 }
 
 void Mesh::add_link(const caf::actor& link, std::shared_ptr<LinkRecord> record,
-                    std::size_t largest_message) {
+                    const SessionLimits& limits) {
   auto peer = record->peer();
   {
     std::lock_guard guard{mutex_};
@@ -58,7 +58,7 @@ void Mesh::add_link(const caf::actor& link, std::shared_ptr<LinkRecord> record,
   }
   requests_->add_process(peer);
   names_->add_port(std::make_shared<LinkPort>(LinkPortParts{
-    names_, messages_, requests_, self_, peer, link, std::move(record), clock_, largest_message}));
+    names_, messages_, requests_, self_, peer, link, std::move(record), clock_, limits}));
 }
 
 void Mesh::inject(ProcessNumber peer, const LinkFault& x) {

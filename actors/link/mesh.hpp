@@ -49,9 +49,9 @@ public:
   /// The representative of a well-known actor of another process.
   caf::strong_actor_ptr well_known(ProcessNumber process, WellKnownActor number);
 
-  /// The link that leads to a process, whose peer takes messages of up to `largest_message` bytes.
+  /// The link that leads to a process, with the limits of both its ends.
   void add_link(const caf::actor& link, std::shared_ptr<LinkRecord> record,
-                std::size_t largest_message = SessionLimits{}.largest_message);
+                const SessionLimits& limits = {});
 
   /// Injects a fault into the link to a process.
   void inject(ProcessNumber peer, const LinkFault& x);

@@ -1,9 +1,8 @@
 #include "castor/actors/link/session.hpp"
 
+#include "castor/actors/link/link_bytes.hpp"
+
 #include <algorithm>
-#include <cstring>
-#include <iterator>
-#include <limits>
 #include <utility>
 
 namespace castor {
@@ -17,30 +16,12 @@ constexpr std::uint8_t last_part = 2;
 constexpr std::size_t frame_header = sizeof(std::uint32_t) + 1;
 constexpr std::size_t part_header = sizeof(std::uint32_t) + 1;
 constexpr std::size_t longest_goodbye = 4096;
-/// Of what is too large to be taken, only a head of at most so many bytes is kept.
-constexpr std::size_t largest_head_alone = 64 * 1024;
-/// What a peer announces is believed up to here before it has arrived.
-constexpr std::size_t reserved_at_most = std::size_t{4} << 20;
 /// Acknowledgements are owed after so many parts or bytes, and at every reminder.
 constexpr std::uint64_t parts_per_ack = 32;
 constexpr std::size_t bytes_per_ack = 256 * 1024;
 
-template <class T>
-void put(std::vector<char>& out, T x) {
-  auto at = out.size();
-  out.resize(at + sizeof(T));
-  std::memcpy(out.data() + at, &x, sizeof(T));
-}
-
-template <class T>
-T take(std::span<const std::uint8_t>& in) {
-  if (in.size() < sizeof(T))
-    throw LinkError("a frame ends too early");
-  T x;
-  std::memcpy(&x, in.data(), sizeof(T));
-  in = in.subspan(sizeof(T));
-  return x;
-}
+using link_bytes::put;
+using link_bytes::take;
 
 /// Begins a frame; `size` is that of its content.
 void put_header(std::vector<char>& out, FrameKind kind, std::size_t size) {
@@ -52,13 +33,17 @@ void put_header(std::vector<char>& out, FrameKind kind, std::size_t size) {
 
 struct LinkSession::Message {
   std::uint32_t number = 0;
-  /// Count and lengths, then the head.
+  /// Count and words, then the head.
   Bytes begin;
+  /// Those whose bytes follow.
   std::vector<Value> contents;
+  SentContents::Mentions mentions;
   std::size_t size = 0;
   /// Of it, what was cut into parts.
   std::size_t cut = 0;
   std::function<void()> arrived;
+
+  bool is_written() const { return cut == size; }
 
   /// Appends the bytes from `at` on.
   void copy(std::size_t at, std::size_t n, std::vector<char>& out) const {
@@ -82,124 +67,48 @@ struct LinkSession::Message {
   }
 };
 
-struct LinkSession::Unfinished {
-  /// Until the lengths are known.
-  Bytes begin;
-  bool begun = false;
-  std::vector<std::uint64_t> lengths;
-  std::vector<Bytes> pieces;
-  /// Of all pieces, if that is more than is taken; otherwise 0.
-  std::uint64_t too_large = 0;
-  /// Of a message that is too large: what has not arrived.
-  std::uint64_t missing = 0;
-
-  /// Takes bytes of the message. Throws LinkError.
-  void take(std::span<const std::uint8_t> in, std::size_t largest) {
-    if (!begun) {
-      begin.insert(begin.end(), in.begin(), in.end());
-      if (!read_lengths(largest))
-        return;
-      begun = true;
-      auto rest = std::exchange(begin, {});
-      take_pieces(std::span{rest}.subspan(sizeof(std::uint32_t) + lengths.size() * 8));
-    } else {
-      take_pieces(in);
-    }
-  }
-
-  bool complete() const {
-    if (too_large > 0)
-      return missing == 0;
-    return begun && pieces.size() == lengths.size() && is_full(pieces.size() - 1);
-  }
-
-  IncomingMessage result() {
-    if (too_large > 0)
-      return {pieces.empty() ? Bytes{} : std::move(pieces.front()), {}, too_large};
-    IncomingMessage result{std::move(pieces.front()), {}};
-    result.contents.assign(std::move_iterator{pieces.begin() + 1},
-                           std::move_iterator{pieces.end()});
-    return result;
-  }
-
-private:
-  bool read_lengths(std::size_t largest) {
-    if (begin.size() < sizeof(std::uint32_t))
-      return false;
-    std::span<const std::uint8_t> in{begin};
-    auto count = castor::take<std::uint32_t>(in);
-    if (count == 0 || count > std::min(most_pieces, largest / sizeof(std::uint64_t)))
-      throw LinkError("a message of " + std::to_string(count) + " pieces");
-    if (in.size() < count * sizeof(std::uint64_t))
-      return false;
-    std::uint64_t total = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      lengths.push_back(castor::take<std::uint64_t>(in));
-      if (lengths.back() > std::numeric_limits<std::uint64_t>::max() - total)
-        throw LinkError("the size of a message overflows");
-      total += lengths.back();
-    }
-    if (total > largest)
-      too_large = missing = total;
-    return true;
-  }
-
-  /// Keeps the head, which says whom to tell, and counts the rest.
-  void skip_pieces(std::span<const std::uint8_t> in) {
-    if (in.size() > missing)
-      throw LinkError("a message is longer than its declared size");
-    auto arrived = too_large - missing;
-    missing -= in.size();
-    if (lengths.front() > largest_head_alone || arrived >= lengths.front())
-      return;
-    if (pieces.empty())
-      pieces.emplace_back();
-    auto part = in.first(std::min<std::size_t>(in.size(), lengths.front() - arrived));
-    pieces.front().insert(pieces.front().end(), part.begin(), part.end());
-  }
-
-  void take_pieces(std::span<const std::uint8_t> in) {
-    if (too_large > 0) {
-      skip_pieces(in);
-      return;
-    }
-    for (;;) {
-      if (pieces.empty() || is_full(pieces.size() - 1)) {
-        if (pieces.size() == lengths.size())
-          break;
-        auto length = lengths[pieces.size()];
-        pieces.emplace_back().reserve(std::min<std::size_t>(length, reserved_at_most));
-      }
-      auto& piece = pieces.back();
-      auto n = std::min<std::size_t>(in.size(), lengths[pieces.size() - 1] - piece.size());
-      piece.insert(piece.end(), in.begin(), in.begin() + static_cast<std::ptrdiff_t>(n));
-      in = in.subspan(n);
-      if (!is_full(pieces.size() - 1))
-        break;
-    }
-    if (!in.empty())
-      throw LinkError("a message is longer than its declared size");
-  }
-
-  bool is_full(std::size_t i) const { return pieces[i].size() == lengths[i]; }
-};
-
 // -- out
+
+/// Puts the words of the contents, and takes those whose bytes follow.
+void LinkSession::add_contents(Message& message, OutgoingMessage& from,
+                               std::vector<std::uint64_t>& words) {
+  std::size_t size = from.head.size();
+  for (auto& x : from.contents)
+    size += x.bytes().size();
+  // Of a message that the peer does not take it keeps nothing.
+  bool may_keep = from.may_repeat && size <= limits_.largest_message;
+  for (auto& x : from.contents) {
+    auto& mentions = message.mentions;
+    if (auto kept = may_keep ? sent_contents_.find(x, mentions) : nullptr) {
+      words.push_back(message_word(MessageWord::kept, kept->number));
+      continue;
+    }
+    auto length = x.bytes().size();
+    if (auto kept = may_keep ? sent_contents_.add(x, length, mentions) : nullptr)
+      words.push_back(message_word(MessageWord::keep, kept->number));
+    words.push_back(length);
+    message.size += length;
+    message.contents.push_back(std::move(x));
+  }
+  if (!may_keep)
+    return;
+  sent_contents_.take_forgotten(message.mentions);
+  for (auto& x : message.mentions.forgotten)
+    words.push_back(message_word(MessageWord::forget, x->number));
+}
 
 void LinkSession::send(OutgoingMessage message) {
   auto x = std::make_shared<Message>();
   x->number = ++last_number_;
-  x->contents = std::move(message.contents);
   x->arrived = std::move(message.arrived);
-  std::vector<char> lengths;
-  put(lengths, static_cast<std::uint32_t>(x->contents.size() + 1));
-  put(lengths, static_cast<std::uint64_t>(message.head.size()));
-  for (auto& content : x->contents) {
-    put(lengths, static_cast<std::uint64_t>(content.bytes().size()));
-    x->size += content.bytes().size();
-  }
+  std::vector<std::uint64_t> words{message.head.size()};
+  add_contents(*x, message, words);
+  std::vector<char> begin;
+  put(begin, static_cast<std::uint32_t>(words.size()));
+  for (auto word : words)
+    put(begin, word);
   x->begin = std::move(message.head);
-  x->begin.insert(x->begin.begin(), lengths.begin(), lengths.end());
+  x->begin.insert(x->begin.begin(), begin.begin(), begin.end());
   x->size += x->begin.size();
   if (message.comes_first) {
     first_.push_back(std::move(x));
@@ -207,7 +116,7 @@ void LinkSession::send(OutgoingMessage message) {
   }
   auto lane = std::find_if(long_.begin(), long_.end(),
                            [&](auto& y) { return message.lane != 0 && y.lane == message.lane; });
-  if (lane == long_.end() && x->size <= limits_.chunk) {
+  if (lane == long_.end() && x->size <= limits_.chunk && x->mentions.are_ready()) {
     short_.push_back(std::move(x));
     return;
   }
@@ -217,39 +126,43 @@ void LinkSession::send(OutgoingMessage message) {
   lane->messages.push_back(std::move(x));
 }
 
-LinkSession::Part LinkSession::cut(const MessagePtr& message) const {
+LinkSession::Part LinkSession::cut(const MessagePtr& message) {
   Part part{message, message->cut, std::min(limits_.chunk, message->size - message->cut)};
   message->cut += part.size;
+  if (message->is_written())
+    sent_contents_.written(std::exchange(message->mentions, {}));
   return part;
 }
 
 bool LinkSession::next_part(Part& part) {
   if (!first_.empty()) {
     part = cut(first_.front());
-    if (part.message->cut == part.message->size)
+    if (part.message->is_written())
       first_.pop_front();
     return true;
   }
+  // The message sent first of all that are left is always ready: what it refers to was sent before.
+  auto lane =
+    std::ranges::find_if(long_, [](auto& x) { return x.messages.front()->mentions.are_ready(); });
   // Short messages pass long ones, but do not hold them up for ever.
-  if (!short_.empty() && (long_.empty() || short_run_ < limits_.chunk)) {
+  if (!short_.empty() && (lane == long_.end() || short_run_ < limits_.chunk)) {
     part = cut(short_.front());
     short_run_ += part.size;
     short_.pop_front();
     return true;
   }
   short_run_ = 0;
-  if (long_.empty())
+  if (lane == long_.end())
     return false;
-  auto& lane = long_.front();
-  part = cut(lane.messages.front());
-  if (part.message->cut == part.message->size) {
-    lane.messages.pop_front();
+  part = cut(lane->messages.front());
+  if (part.message->is_written()) {
+    lane->messages.pop_front();
     --long_messages_;
   }
-  if (lane.messages.empty())
-    long_.pop_front();
+  if (lane->messages.empty())
+    long_.erase(lane);
   else
-    long_.splice(long_.end(), long_, long_.begin());
+    long_.splice(long_.end(), long_, lane);
   return true;
 }
 
@@ -393,7 +306,7 @@ void LinkSession::take_part(std::span<const std::uint8_t> content,
   if (known == unfinished_.end()) {
     if (unfinished_.size() >= limits_.unfinished_messages)
       throw LinkError("too many messages at the same time");
-    known = unfinished_.emplace(number, std::make_shared<Unfinished>()).first;
+    known = unfinished_.emplace(number, std::make_shared<UnfinishedMessage>()).first;
   }
   auto message = known->second;
   message->take(content, limits_.largest_message);
@@ -404,7 +317,7 @@ void LinkSession::take_part(std::span<const std::uint8_t> content,
   if (!message->complete())
     return;
   unfinished_.erase(known);
-  auto result = message->result();
+  auto result = message->result(received_contents_);
   deliver(std::move(result));
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "castor/wm/values/type_descriptor.hpp"
+#include "castor/actors/link/incoming_message.hpp"
+#include "castor/actors/link/kept_contents.hpp"
+#include "castor/actors/link/link_error.hpp"
+#include "castor/actors/link/unfinished_message.hpp"
 #include "castor/wm/values/value.hpp"
 
 #include <chrono>
@@ -11,18 +14,11 @@
 #include <list>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace castor {
-
-/// The peer violates the protocol.
-class LinkError : public std::runtime_error {
-public:
-  using runtime_error::runtime_error;
-};
 
 /// Messages of one lane, other than 0, arrive in the order in which they were sent.
 using Lane = std::uint64_t;
@@ -37,19 +33,9 @@ struct OutgoingMessage {
   std::function<void()> arrived = {};
   /// Passes everything that waits: later messages cannot be read without it.
   bool comes_first = false;
+  /// The contents may be sent again, so the peer keeps them if there is room.
+  bool may_repeat = false;
 };
-
-/// The same at the other end.
-struct IncomingMessage {
-  Bytes head;
-  std::vector<Bytes> contents;
-  /// Size in bytes of a message that exceeds the limit, otherwise 0. Its contents are dropped then,
-  /// and so is its head if that alone was too large to be kept.
-  std::uint64_t too_large = 0;
-};
-
-/// Most pieces of a message, its head included.
-inline constexpr std::size_t most_pieces = std::size_t{1} << 20;
 
 struct SessionLimits {
   /// Most bytes that one frame carries.
@@ -60,6 +46,11 @@ struct SessionLimits {
   std::size_t largest_message = std::size_t{1} << 30;
   /// Messages that may be under way from the peer at the same time.
   std::size_t unfinished_messages = 4096;
+  /// Contents of at least this size in bytes are pieces of their own.
+  std::size_t shared_content = 4096;
+  /// Bytes of contents that each end keeps for the other, in case they are sent again; the same at
+  /// both.
+  std::size_t kept_contents = std::size_t{16} << 20;
 };
 
 /// Turns messages into frames and back, so that all arrive exactly once, even if the connections
@@ -76,11 +67,15 @@ struct SessionLimits {
 ///     ping     u32 milliseconds until the next sign of life: the peer is alive
 ///     goodbye  the reason, as text: the peer ends the session
 ///
-/// A message begins with a u32 count and as many u64 lengths: of its head and of its contents. All
-/// numbers are little-endian.
+/// A message begins with a u32 count and as many u64 words (`MessageWord`): the length of its head,
+/// for each content its length or the number of one that the peer keeps, and which of these the
+/// peer need not keep any longer. Then follow the bytes of all lengths. All numbers are
+/// little-endian.
 class LinkSession {
 public:
-  explicit LinkSession(SessionLimits limits = {}) : limits_(limits) {}
+  explicit LinkSession(SessionLimits limits = {})
+    : limits_(limits), sent_contents_(limits.kept_contents),
+      received_contents_(limits.kept_contents) {}
 
   void send(OutgoingMessage message);
 
@@ -146,16 +141,14 @@ private:
     std::size_t size = 0;
   };
 
-  /// Messages of one lane, the first of which is long.
+  /// Messages of one lane, the first of which is long, or waits for one of another lane.
   struct LongLane {
     Lane lane;
     std::deque<MessagePtr> messages;
   };
 
-  /// A message of which not all has arrived.
-  struct Unfinished;
-
-  Part cut(const MessagePtr& message) const;
+  void add_contents(Message& message, OutgoingMessage& from, std::vector<std::uint64_t>& words);
+  Part cut(const MessagePtr& message);
   void write_part(std::vector<char>& out, const Part& part) const;
   bool next_part(Part& part);
   void take_part(std::span<const std::uint8_t> content,
@@ -185,10 +178,12 @@ private:
   std::chrono::milliseconds promised_{0};
   bool awaits_ = false;
   std::string goodbye_;
+  SentContents sent_contents_;
 
   // -- in
   Bytes input_;
-  std::unordered_map<std::uint32_t, std::shared_ptr<Unfinished>> unfinished_;
+  std::unordered_map<std::uint32_t, std::shared_ptr<UnfinishedMessage>> unfinished_;
+  ReceivedContents received_contents_;
   std::uint64_t received_ = 0;
   std::uint64_t acknowledged_to_peer_ = 0;
   std::size_t received_since_ = 0;

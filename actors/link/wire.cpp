@@ -18,7 +18,7 @@ void WireWriter::put(const Value& x) {
   if (head_.size() + content_bytes_ + size > largest_)
     throw MessageTooLarge{head_.size() + content_bytes_ + size};
   auto& bytes = x.bytes();
-  bool shared = bytes.size() >= shared_content;
+  bool shared = bytes.size() >= shared_content_;
   put(shared);
   if (shared) {
     contents_.push_back(x);
@@ -40,14 +40,12 @@ void WireReader::get(Value& x) {
   if (!take<bool>())
     return;
   auto type = take<TypeDescriptorPtr>();
-  Bytes bytes;
   if (!take<bool>())
-    decoder_.get(bytes);
+    x = Value::from_foreign_bytes(std::move(type), take_bytes());
   else if (next_content_ < contents_.size())
-    bytes = std::move(contents_[next_content_++]);
+    x = contents_[next_content_++]->value(type);
   else
     throw DecodeError("a value without its content");
-  x = Value::from_foreign_bytes(std::move(type), std::move(bytes));
 }
 
 std::uint32_t WireReader::take_count() {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "castor/actors/link/received_content.hpp"
 #include "castor/actors/link/wire_members.hpp"
 #include "castor/base/caf.hpp"
+#include "castor/base/small_vector.hpp"
 #include "castor/wm/entries/entry.hpp"
 #include "castor/wm/entries/failure.hpp"
 #include "castor/wm/values/encoding.hpp"
@@ -38,9 +40,6 @@ public:
   virtual TypeDescriptorPtr type_of(std::uint64_t hash) = 0;
 };
 
-/// Contents of at least this size in bytes are shared with the message rather than copied into it.
-inline constexpr std::size_t shared_content = 4096;
-
 /// A message would exceed the largest size.
 class MessageTooLarge : public std::length_error {
 public:
@@ -60,10 +59,12 @@ public:
   /// Initial capacity in bytes, enough for most messages.
   static constexpr std::size_t usual_head = 128;
 
-  /// Takes messages of up to `largest` bytes.
+  /// Takes messages of up to `largest` bytes. Contents of at least `shared_content` bytes are
+  /// shared with the message rather than copied into it.
   explicit WireWriter(WireNames& names,
-                      std::size_t largest = std::numeric_limits<std::size_t>::max())
-    : names_(names), largest_(largest) {
+                      std::size_t largest = std::numeric_limits<std::size_t>::max(),
+                      std::size_t shared_content = 4096)
+    : names_(names), largest_(largest), shared_content_(shared_content) {
     head_.reserve(usual_head);
   }
 
@@ -106,6 +107,11 @@ public:
 
   template <class T>
   void put(const std::vector<T>& x) {
+    put_all(x);
+  }
+
+  template <class T, std::size_t N>
+  void put(const SmallVector<T, N>& x) {
     put_all(x);
   }
 
@@ -158,6 +164,7 @@ private:
 
   WireNames& names_;
   const std::size_t largest_;
+  const std::size_t shared_content_;
   Bytes head_;
   Encoder encoder_{head_};
   std::vector<Value> contents_;
@@ -171,7 +178,8 @@ public:
   bool at_end() const { return decoder_.remaining() == 0; }
   static constexpr bool writes = false;
 
-  WireReader(WireNames& names, std::span<const std::uint8_t> head, std::vector<Bytes> contents)
+  WireReader(WireNames& names, std::span<const std::uint8_t> head,
+             std::vector<ReceivedContentPtr> contents)
     : names_(names), decoder_(head), contents_(std::move(contents)) {}
 
   template <class... Ts>
@@ -217,6 +225,13 @@ public:
 
   template <class T>
   void get(std::vector<T>& x) {
+    x.clear();
+    for (auto n = take_count(); n > 0; --n)
+      x.push_back(take<T>());
+  }
+
+  template <class T, std::size_t N>
+  void get(SmallVector<T, N>& x) {
     x.clear();
     for (auto n = take_count(); n > 0; --n)
       x.push_back(take<T>());
@@ -272,7 +287,7 @@ private:
 
   WireNames& names_;
   Decoder decoder_;
-  std::vector<Bytes> contents_;
+  std::vector<ReceivedContentPtr> contents_;
   std::size_t next_content_ = 0;
 };
 

@@ -98,6 +98,11 @@ std::optional<caf::message> PartMessages::failed_outcome(const Content& x,
   return std::nullopt;
 }
 
+bool PartMessages::may_repeat(const Content& x) const {
+  return x.match_elements<Outcome<EntryPtr>>() ||
+         x.match_elements<Outcome<std::vector<EntryPtr>>>();
+}
+
 // -- flow control
 
 std::optional<caf::message> PartMessages::receipt_if_dropped(const Content& x) const {

@@ -29,6 +29,7 @@ public:
   Failure too_large(const Content& x, std::size_t size, std::size_t largest) const override;
   std::optional<caf::message> failed_outcome(const Content& x, const Failure& why) const override;
   std::optional<caf::message> receipt_if_dropped(const Content& x) const override;
+  bool may_repeat(const Content& x) const override;
   OnArrival on_arrival(ProcessNumber peer, const caf::strong_actor_ptr& sender,
                        const Content& x) override;
   void process_ended(ProcessNumber peer) override;

@@ -21,7 +21,7 @@ void ChangeReceivers::add_filter(FilterId id, const ChangeFilter& filter) {
 }
 
 bool ChangeReceivers::filter(ChangeNotice& notice) {
-  std::erase(notice.filters, broadcast_);
+  castor::erase(notice.filters, broadcast_);
   matched_.clear();
   index_.match(*notice.event, Value{}, matched_);
   for (auto key : matched_)
@@ -29,9 +29,9 @@ bool ChangeReceivers::filter(ChangeNotice& notice) {
   return !notice.filters.empty();
 }
 
-std::vector<std::shared_ptr<const ChangeReceivers::Receiver>>
-ChangeReceivers::of(const std::vector<FilterId>& filters) const {
-  std::vector<std::shared_ptr<const Receiver>> result;
+SmallVector<std::shared_ptr<const ChangeReceivers::Receiver>, 2>
+ChangeReceivers::of(const FilterIds& filters) const {
+  SmallVector<std::shared_ptr<const Receiver>, 2> result;
   for (auto id : filters)
     if (auto i = receivers_.find(id); i != receivers_.end())
       result.push_back(i->second);
@@ -44,7 +44,7 @@ ChangeReceivers::of(const std::vector<FilterId>& filters) const {
 bool ChangeReceivers::call_listeners(ChangeNotice& notice) const {
   if (listeners_.empty())
     return false;
-  auto called = std::erase_if(notice.filters, [&](FilterId id) {
+  auto called = erase_if(notice.filters, [&](FilterId id) {
     auto listener = listeners_.find(id);
     if (listener == listeners_.end())
       return false;

@@ -30,7 +30,7 @@ public:
 
   /// Receivers of the filters, the highest priority first, and of one priority the oldest. They
   /// stay callable if they are removed meanwhile.
-  std::vector<std::shared_ptr<const Receiver>> of(const std::vector<FilterId>& filters) const;
+  SmallVector<std::shared_ptr<const Receiver>, 2> of(const FilterIds& filters) const;
 
   // -- in a system that broadcasts, where the component filters for itself
 

@@ -47,6 +47,9 @@ LinkOptions SimulatedMachines::link_options() {
   result.silence = 700ms;
   result.connecting = 300ms;
   result.patience = link_patience;
+  // Even the small values of entries are kept for the next reader, and only a few of them.
+  result.session.shared_content = 1;
+  result.session.kept_contents = 2000;
   return result;
 }
 

@@ -214,8 +214,9 @@ caf::actor SimulatedNetwork::spawn_link(Life life, LinkParts parts) {
   auto record = std::make_shared<LinkRecord>(peer);
   parts.self.receiver = peer;
   auto seed = static_cast<std::uint32_t>(random_());
+  auto limits = parts.options.session;
   auto result = system_.spawn(simulated_link, this, life, std::move(parts), record, seed);
-  mesh->add_link(result, std::move(record));
+  mesh->add_link(result, std::move(record), limits);
   return result;
 }
 

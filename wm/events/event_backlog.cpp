@@ -38,7 +38,7 @@ void EventBacklog::push(Batch batch) {
     stop_merging_if_empty();
     return;
   }
-  std::erase_if(batch, [](auto& notice) { return notice.filters.empty(); });
+  erase_if(batch, [](auto& notice) { return notice.filters.empty(); });
   if (batch.empty())
     return;
   size_ += batch.size();
@@ -70,8 +70,8 @@ void EventBacklog::erase(std::uint32_t filter) {
   for (auto i = waiting_.begin(); i != waiting_.end();) {
     auto& batch = i->second;
     auto notices = batch.size();
-    std::erase_if(batch, [&](auto& notice) {
-      std::erase(notice.filters, filter);
+    erase_if(batch, [&](auto& notice) {
+      castor::erase(notice.filters, filter);
       return notice.filters.empty();
     });
     size_ -= notices - batch.size();
@@ -153,7 +153,7 @@ ChangeEventPtr EventBacklog::withdraw(Arrival& arrival, std::uint32_t filter) {
     return std::find(x.filters.begin(), x.filters.end(), filter) != x.filters.end();
   });
   auto event = form->event;
-  std::erase(form->filters, filter);
+  castor::erase(form->filters, filter);
   if (form->filters.empty()) {
     forms.erase(form);
     --size_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/base/small_vector.hpp"
 #include "castor/wm/entries/address.hpp"
 #include "castor/wm/events/change_notice.hpp"
 
@@ -8,7 +9,6 @@
 #include <map>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 namespace castor {
 
@@ -31,7 +31,7 @@ class EventBacklog {
 public:
   /// Notices that are sent together: those of one write, or the variants of one merged event for
   /// filters that have received different earlier events of its entry.
-  using Batch = std::vector<ChangeNotice>;
+  using Batch = SmallVector<ChangeNotice, 1>;
 
   explicit EventBacklog(std::size_t bound) : bound_(bound) {}
 
@@ -42,7 +42,7 @@ public:
   /// pending events of entries that were added and deleted, also for filters for one operation
   /// (only ADD, only DELETE).
   void push(Batch batch);
-  void push(ChangeEventPtr event, std::vector<std::uint32_t> filters) {
+  void push(ChangeEventPtr event, FilterIds filters) {
     push(Batch{{std::move(event), std::move(filters)}});
   }
 

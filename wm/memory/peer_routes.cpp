@@ -104,7 +104,7 @@ const std::vector<FilterIndex::Key>& PeerRoutes::match(const ChangeEvent& event,
 
 void PeerRoutes::collect(const ChangeEventPtr& event, const std::vector<FilterIndex::Key>& keys,
                          Outgoing& outgoing) const {
-  for_each_receiver(keys, [&](PeerNumber number, std::vector<InterestId> ids) {
+  for_each_receiver(keys, [&](PeerNumber number, InterestIds ids) {
     auto& peer = peers_[number];
     if (!peer.route) {
       outgoing.near[number].push_back({event, std::move(ids)});
@@ -155,7 +155,7 @@ void PeerRoutes::erase_interests(PeerNumber peer) {
 RoutedEvents PeerRoutes::routed(const Route& route, const EventFlow::Batch& batch) {
   RoutedEvents result;
   for (auto& [event, numbers] : batch) {
-    std::map<PeerNumber, std::vector<InterestId>> by_peer;
+    std::map<PeerNumber, InterestIds> by_peer;
     for (auto number : numbers)
       if (auto i = route.receivers.find(number); i != route.receivers.end())
         by_peer[i->second.first].push_back(i->second.second);

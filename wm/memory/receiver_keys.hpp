@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/wm/events/change_notice.hpp"
 #include "castor/wm/filters/filter_index.hpp"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ template <class F>
 void for_each_receiver(const std::vector<FilterIndex::Key>& keys, F&& f) {
   for (std::size_t i = 0; i < keys.size();) {
     auto receiver = static_cast<std::uint32_t>(keys[i] >> 32);
-    std::vector<std::uint32_t> ids;
+    FilterIds ids;
     for (; i < keys.size() && keys[i] >> 32 == receiver; ++i)
       ids.push_back(static_cast<std::uint32_t>(keys[i]));
     f(receiver, std::move(ids));

@@ -81,7 +81,8 @@ const std::vector<FilterIndex::Key>& Subscriptions::match(const ChangeEvent& eve
 
 void Subscriptions::collect(const ChangeEventPtr& event, const std::vector<FilterIndex::Key>& keys,
                             Notices& notices) const {
-  for_each_receiver(keys, [&](Number number, std::vector<FilterId> ids) {
+  notices.reserve(notices.size() + keys.size());
+  for_each_receiver(keys, [&](Number number, FilterIds ids) {
     batch_of(number, notices).push_back({event, std::move(ids)});
   });
   // A backlog that merges is to know of the others, too: of all that came here.

@@ -153,7 +153,7 @@ struct Unsubscribe {
 /// To a component, or from one working memory to another: the events of one write. The filters are
 /// numbered by the receiver: as FilterId by a component, as InterestId by a working memory.
 struct ChangeNotices {
-  std::vector<ChangeNotice> notices;
+  EventFlow::Batch notices;
 };
 
 /// The sender has delivered or dropped so many of the events that it was sent; without that it is
@@ -165,6 +165,7 @@ struct EventsTaken {
 
 /// A working memory's name for something that its components want of the others.
 using InterestId = std::uint32_t;
+using InterestIds = FilterIds;
 
 /// From one working memory to another: somebody in `subarchitecture` wants such events, or nobody
 /// does any more.
@@ -180,7 +181,7 @@ struct Interest {
 /// sent one copy, and only it knows which actors these are. There each gets its ChangeNotices.
 struct RoutedEvent {
   ChangeEventPtr event;
-  std::vector<std::pair<std::string, std::vector<InterestId>>> receivers;
+  std::vector<std::pair<std::string, InterestIds>> receivers;
 };
 
 /// From a working memory to those in another process that want them: the events of one write. The

@@ -49,6 +49,9 @@ public:
   const TypeDescriptorPtr& type_ptr() const { return rep_->type; }
   const std::string& type_name() const { return rep_->type->name(); }
 
+  /// Refers to what all copies of the value share, and does not keep it.
+  std::weak_ptr<const void> weak() const { return rep_; }
+
   /// The wire form.
   const Bytes& bytes() const;
 

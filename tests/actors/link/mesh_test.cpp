@@ -189,7 +189,7 @@ TEST_F(TwoProcesses, EventsArriveInOrder) {
     self->receive([&](const ChangeNotice& x) {
       EXPECT_EQ(x.event->address.id, std::to_string(i));
       EXPECT_EQ(x.event->type_name(), "Box");
-      EXPECT_EQ(x.filters, std::vector<FilterId>{5});
+      EXPECT_EQ(x.filters, FilterIds{5});
     });
 }
 
@@ -228,6 +228,45 @@ TEST_F(TwoProcesses, ALargeValueOfANewTypeIsReadHoweverMuchWaitsBeforeIt) {
   answer.receive([](const Outcome<Version>& x) { EXPECT_TRUE(x); },
                  [&](const caf::error& e) { ADD_FAILURE() << run.system.render(e); });
   EXPECT_TRUE(read(std::to_string(waiting - 1)));
+}
+
+TEST_F(TwoProcesses, AValueComesOnceForAllWhoReadIt) {
+  const std::size_t size = 500'000;
+  for (Version version = 0; version < 5; ++version) {
+    WriteRequest x;
+    x.operation = version == 0 ? Operation::add : Operation::overwrite;
+    x.address = {"vision", "x"};
+    x.value = Value::of(Box{std::to_string(version), Bytes(size, 7)});
+    x.client = client;
+    if (version > 0)
+      x.last_seen = version - 1;
+    ASSERT_EQ(*ask<Outcome<Version>>(x), version);
+    auto before = run.mesh->links().at(0).bytes_in;
+    // All at once, and one afterwards.
+    std::vector<std::unique_ptr<caf::scoped_actor>> readers;
+    auto request = [&] {
+      readers.push_back(std::make_unique<caf::scoped_actor>(run.system));
+      return (*readers.back())
+        ->request(remote, 10s, ReadRequest{x.address, {client, ++number, 10s}});
+    };
+    std::vector<decltype(request())> answers;
+    for (int i = 0; i < 8; ++i)
+      answers.push_back(request());
+    std::vector<std::shared_ptr<const Box>> found;
+    for (auto& answer : answers)
+      answer.receive(
+        [&](const Outcome<EntryPtr>& y) {
+          EXPECT_EQ((*y)->version, version);
+          found.push_back((*y)->value.as<Box>());
+        },
+        [&](const caf::error& e) { ADD_FAILURE() << run.system.render(e); });
+    found.push_back((*read("x"))->value.as<Box>());
+    ASSERT_EQ(found.size(), 9u);
+    for (auto& box : found)
+      EXPECT_EQ(box, found[0]);
+    EXPECT_EQ(found[0]->label, std::to_string(version));
+    EXPECT_LT(run.mesh->links().at(0).bytes_in - before, size + 10'000);
+  }
 }
 
 TEST_F(TwoProcesses, TheEndOfAnActorIsNoticed) {
@@ -358,7 +397,7 @@ TEST_F(TwoProcesses, DamagedMessagesAreRefusedOrUnderstoodAndHarmNoActor) {
       ASSERT_TRUE(table().write(x.content(), out));
       IncomingMessage message{out.take_head(), {}};
       for (auto& value : out.take_contents())
-        message.contents.push_back(value.bytes());
+        message.contents.push_back(std::make_shared<ReceivedContent>(value.bytes()));
       sound.push_back(std::move(message));
     }
   std::mt19937 random{1};

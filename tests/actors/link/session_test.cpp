@@ -1,5 +1,6 @@
 #include "castor/actors/link/session.hpp"
 
+#include "castor/actors/link/link_bytes.hpp"
 #include "castor/wm/values/reflect.hpp"
 
 #include <gmock/gmock.h>
@@ -66,9 +67,9 @@ TEST(LinkSession, MessagesArriveWithTheirContents) {
   EXPECT_TRUE(got[0].contents.empty());
   EXPECT_TRUE(got[1].head.empty());
   ASSERT_EQ(got[1].contents.size(), 3u);
-  EXPECT_EQ(got[1].contents[0], picture(5000, 1).bytes());
-  EXPECT_EQ(got[1].contents[1], picture(0).bytes());
-  EXPECT_EQ(got[1].contents[2], picture(200'000, 2).bytes());
+  EXPECT_EQ(got[1].contents[0]->bytes(), picture(5000, 1).bytes());
+  EXPECT_EQ(got[1].contents[1]->bytes(), picture(0).bytes());
+  EXPECT_EQ(got[1].contents[2]->bytes(), picture(200'000, 2).bytes());
 }
 
 TEST(LinkSession, ShortMessagesPassLongOnes) {
@@ -198,7 +199,8 @@ TEST(LinkSession, AGoodbyeComesLast) {
   EXPECT_EQ(b.goodbye(), "the system ends");
 }
 
-std::string problem(LinkSession session, std::string_view data) {
+std::string problem(const SessionLimits& limits, std::string_view data) {
+  LinkSession session{limits};
   try {
     heads(session, data);
   } catch (const LinkError& e) {
@@ -207,10 +209,22 @@ std::string problem(LinkSession session, std::string_view data) {
   return "none";
 }
 
+/// A frame that is a whole message of these words, without bytes after them.
+std::string message_of(const std::vector<std::uint64_t>& words) {
+  std::vector<char> out;
+  link_bytes::put(out, static_cast<std::uint32_t>(1 + 4 + 1 + 4 + 8 * words.size()));
+  link_bytes::put(out, std::uint8_t{0});
+  link_bytes::put(out, std::uint32_t{1});
+  link_bytes::put(out, std::uint8_t{3});
+  link_bytes::put(out, static_cast<std::uint32_t>(words.size()));
+  for (auto word : words)
+    link_bytes::put(out, word);
+  return {out.begin(), out.end()};
+}
+
 TEST(LinkSession, RefusesWhatCannotBe) {
   using namespace std::string_view_literals;
-  SessionLimits limits{.chunk = 1024, .largest_message = 4096};
-  LinkSession x{limits};
+  SessionLimits x{.chunk = 1024, .largest_message = 4096};
   EXPECT_THAT(problem(x, "\xff\xff\xff\x7f"sv), HasSubstr("a frame of 2147483647 bytes"));
   EXPECT_THAT(problem(x, "\0\0\0\0"sv), HasSubstr("a frame of 0 bytes"));
   EXPECT_THAT(problem(x, "\1\0\0\0\x9"sv), HasSubstr("unknown kind"));
@@ -218,10 +232,27 @@ TEST(LinkSession, RefusesWhatCannotBe) {
   EXPECT_THAT(problem(x, "\x9\0\0\0\1\1\0\0\0\0\0\0\0"sv), HasSubstr("never sent"));
   EXPECT_THAT(problem(x, "\7\0\0\0\2abcdef"sv), HasSubstr("longer than it should be"));
   EXPECT_THAT(problem(x, "\6\0\0\0\0\1\0\0\0\0"sv), HasSubstr("out of order"));
-  // A message of two pieces that take 2^64 bytes and some, and one of very many pieces.
-  EXPECT_THAT(problem(x, "\x1a\0\0\0\0\1\0\0\0\1\2\0\0\0\xff\xff\xff\xff\xff\xff\xff\xff"
-                         "\xff\0\0\0\0\0\0\0"sv),
+  EXPECT_THAT(problem(x, message_of(std::vector(5, message_word(MessageWord::keep, 0) - 1))),
               HasSubstr("the size of a message overflows"));
+  EXPECT_THAT(problem(x, message_of({message_word(MessageWord::kept, 0)})), HasSubstr("missing"));
+  EXPECT_THAT(problem(x, message_of({0, message_word(MessageWord::keep, 1)})),
+              HasSubstr("missing"));
+  EXPECT_THAT(problem(x, message_of({0, message_word(MessageWord::keep, 1),
+                                     message_word(MessageWord::kept, 1)})),
+              HasSubstr("missing"));
+  EXPECT_THAT(problem(x, message_of({0, message_word(MessageWord::kept, 1)})),
+              HasSubstr("not kept"));
+  EXPECT_THAT(problem(x, message_of({0, message_word(MessageWord::forget, 1)})),
+              HasSubstr("not kept"));
+  EXPECT_THAT(problem(x, message_of({0, message_word(MessageWord::keep, 1), 0,
+                                     message_word(MessageWord::keep, 1), 0})),
+              HasSubstr("the same number"));
+  x.kept_contents = content_overhead;
+  EXPECT_THAT(problem(x, message_of({0, message_word(MessageWord::keep, 1), 0,
+                                     message_word(MessageWord::keep, 2), 0,
+                                     message_word(MessageWord::keep, 3), 0})),
+              HasSubstr("to keep of more than"));
+  // One of very many pieces.
   EXPECT_THAT(problem(x, "\x0a\0\0\0\0\1\0\0\0\1\xff\xff\xff\xff"sv), HasSubstr("pieces"));
 }
 
@@ -260,6 +291,101 @@ TEST(LinkSession, RefusesToResumeWhatNeverWas) {
   EXPECT_NO_THROW(a.resume(1));
 }
 
+// -- contents that are sent again
+
+OutgoingMessage repeated(std::string_view head, std::vector<Value> contents, Lane lane = 0) {
+  return {.head = bytes(head), .contents = std::move(contents), .lane = lane, .may_repeat = true};
+}
+
+/// The heads, each with the first byte of each picture.
+std::vector<std::string> pictures(LinkSession& to, std::string_view data) {
+  std::vector<std::string> result;
+  to.receive(as_bytes(data), [&](IncomingMessage x) {
+    result.push_back(text(x.head));
+    for (auto& content : x.contents)
+      result.back() +=
+        static_cast<char>(content->value(descriptor_of<Picture>()).as<Picture>()->pixels.at(0));
+  });
+  return result;
+}
+
+TEST(LinkSession, AContentIsSentOnceAndIsOneValueForAllWhoGetIt) {
+  LinkSession a;
+  LinkSession b;
+  auto same = picture(100'000, 's');
+  std::vector<ReceivedContentPtr> got;
+  auto take = [&](IncomingMessage x) { got.push_back(x.contents.at(0)); };
+  a.send(repeated("first", {same}));
+  b.receive(as_bytes(everything(a)), take);
+  a.send(repeated("second", {same}));
+  auto second = everything(a);
+  EXPECT_LT(second.size(), 100u);
+  b.receive(as_bytes(second), take);
+  a.send(repeated("another that is as large", {picture(100'000, 's')}));
+  auto another = everything(a);
+  EXPECT_GT(another.size(), 100'000u);
+  b.receive(as_bytes(another), take);
+  ASSERT_EQ(got.size(), 3u);
+  EXPECT_EQ(got[0], got[1]);
+  EXPECT_NE(got[0], got[2]);
+  auto& type = descriptor_of<Picture>();
+  EXPECT_EQ(got[0]->value(type), same);
+  EXPECT_EQ(got[0]->value(type).as<Picture>(), got[1]->value(type).as<Picture>());
+}
+
+TEST(LinkSession, WhoRefersToAContentComesAfterItAndOthersDoNotWait) {
+  LinkSession a;
+  LinkSession b;
+  auto same = picture(1'000'000, 's');
+  a.send(repeated("carries ", {same}, 7));
+  a.send(repeated("refers ", {same}, 8));
+  a.send(repeated("refers, too ", {same}, 8));
+  a.send({bytes("same lane"), {}, 8});
+  a.send({bytes("other lane"), {}, 9});
+  EXPECT_EQ(a.waiting(), 5u);
+  auto said = everything(a);
+  EXPECT_LT(said.size(), 1'010'000u);
+  EXPECT_THAT(pictures(b, said),
+              ElementsAre("other lane", "carries s", "refers s", "refers, too s", "same lane"));
+  EXPECT_EQ(a.waiting(), 0u);
+  EXPECT_FALSE(a.has_output());
+}
+
+TEST(LinkSession, AContentMayBeInAMessageTwice) {
+  LinkSession a;
+  LinkSession b;
+  auto same = picture(10'000, 's');
+  a.send(repeated("", {same, picture(10'000, 'o'), same}));
+  a.send(repeated("", {same, same}));
+  auto said = everything(a);
+  EXPECT_LT(said.size(), 21'000u);
+  EXPECT_THAT(pictures(b, said), ElementsAre("sos", "ss"));
+}
+
+TEST(LinkSession, WhatIsNotSaidToBeRepeatedIsNotKept) {
+  LinkSession a;
+  LinkSession b;
+  auto same = picture(10'000, 's');
+  a.send({bytes("written "), {same}});
+  a.send({bytes("and again "), {same}});
+  auto said = everything(a);
+  EXPECT_GT(said.size(), 20'000u);
+  EXPECT_THAT(pictures(b, said), ElementsAre("written s", "and again s"));
+}
+
+TEST(LinkSession, OfAMessageThatIsTooLargeNothingIsKept) {
+  LinkSession a{{.chunk = 1024, .largest_message = 4096}};
+  LinkSession b{{.chunk = 1024, .largest_message = 4096}};
+  auto x = picture(3000, 'x');
+  a.send(repeated("", {x, picture(3000)}, 1));
+  a.send(repeated("", {x}, 1));
+  a.send(repeated("", {x}, 1));
+  auto said = everything(a);
+  EXPECT_GT(said.size(), 9000u);
+  EXPECT_LT(said.size(), 10'000u);
+  EXPECT_THAT(pictures(b, said), ElementsAre("", "x", "x"));
+}
+
 /// Two sessions that talk over connections which break at any time, and cut what is said anywhere.
 class BadConnections : public testing::TestWithParam<unsigned> {};
 
@@ -268,7 +394,9 @@ TEST_P(BadConnections, EverythingArrivesOnceAndInOrder) {
   auto below = [&](std::size_t n) {
     return std::uniform_int_distribution<std::size_t>{0, n - 1}(random);
   };
-  SessionLimits limits{.chunk = 100, .window = 1000};
+  SessionLimits limits{.chunk = 100, .window = 1000, .kept_contents = 3000};
+  // Some values are sent again and again, and replaced now and then.
+  std::vector<Value> entries(10);
   struct Side {
     LinkSession session;
     std::string on_the_way;
@@ -285,7 +413,7 @@ TEST_P(BadConnections, EverythingArrivesOnceAndInOrder) {
       auto head = text(x.head);
       Lane lane = static_cast<Lane>(head.at(0) - '0');
       for (auto& content : x.contents)
-        head += text(content);
+        head += text(content->bytes());
       from.in[lane].push_back(head);
     });
   };
@@ -303,11 +431,15 @@ TEST_P(BadConnections, EverythingArrivesOnceAndInOrder) {
         auto whole = head;
         std::vector<Value> contents;
         for (auto n = below(3); n > 0; --n) {
-          contents.push_back(picture(below(500), 'p'));
+          auto& entry = entries[below(entries.size())];
+          if (!entry.has_value() || below(5) == 0)
+            entry = picture(below(500), static_cast<std::uint8_t>('a' + below(26)));
+          contents.push_back(entry);
           whole += text(contents.back().bytes());
         }
         from.out[lane].push_back(whole);
-        from.session.send({bytes(head), contents, lane, [&from] { ++from.acknowledged; }});
+        from.session.send(
+          {bytes(head), contents, lane, [&from] { ++from.acknowledged; }, false, below(4) != 0});
         return;
       }
       case 2:

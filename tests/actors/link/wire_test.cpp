@@ -58,7 +58,10 @@ protected:
   }
 
   caf::message read(const Written& x) {
-    WireReader in{names, x.head, x.contents};
+    std::vector<ReceivedContentPtr> contents;
+    for (auto& content : x.contents)
+      contents.push_back(std::make_shared<ReceivedContent>(content));
+    WireReader in{names, x.head, std::move(contents)};
     return system_messages().read(in);
   }
 

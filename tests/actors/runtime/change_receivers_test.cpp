@@ -14,7 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-ChangeNotice notice_for(std::vector<FilterId> filters) {
+ChangeNotice notice_for(FilterIds filters) {
   return {std::make_shared<ChangeEvent>(), std::move(filters)};
 }
 
@@ -25,7 +25,7 @@ protected:
       id, [this, id](const ChangeEvent&) { called.push_back(id); }, priority);
   }
 
-  std::vector<ReceiverId> ids_of(const std::vector<FilterId>& filters) const {
+  std::vector<ReceiverId> ids_of(const FilterIds& filters) const {
     std::vector<ReceiverId> result;
     for (auto& x : receivers.of(filters))
       result.push_back(x->id);

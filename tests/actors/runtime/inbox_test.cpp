@@ -11,7 +11,7 @@ namespace castor {
 
 namespace {
 
-ChangeNotice change_of(const std::string& id, std::vector<FilterId> filters = {1}) {
+ChangeNotice change_of(const std::string& id, FilterIds filters = {1}) {
   auto event = std::make_shared<ChangeEvent>();
   event->address.id = id;
   return {event, std::move(filters)};

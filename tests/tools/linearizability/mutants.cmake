@@ -163,7 +163,8 @@ castor_mutant(deaths_settle_nothing wm/memory/working_memory_shell.cpp
 castor_mutant(changes_told_backwards wm/memory/subscriptions.cpp
   FROM "batch_of(number, notices).push_back({event, std::move(ids)});"
   TO "auto& batch = batch_of(number, notices);
-    batch.insert(batch.begin(), ChangeNotice{event, std::move(ids)});")
+    batch.push_back({event, std::move(ids)});
+    std::ranges::rotate(batch, batch.end() - 1);")
 
 castor_mutant(nobody_is_told_of_deletions wm/memory/peer_routes.cpp
   FROM "interests_.match(event, content, matched_);"
@@ -223,3 +224,11 @@ castor_node_mutant(leases_never_expire wm/leases/lease_table.cpp
 castor_node_mutant(leases_expire_too_early wm/leases/lease_table.cpp
   FROM "level, now + options_.duration}, client"
   TO "level, now + options_.duration / 2}, client")
+
+castor_node_mutant(stale_values_are_referred_to actors/link/kept_contents.cpp
+  FROM "auto i = by_value_.find(x.weak());"
+  TO "static std::map<std::pair<SentContents*, std::string>, std::weak_ptr<const void>> firsts;
+  auto& first = firsts[{this, x.type_name()}];
+  auto i = by_value_.find(first);
+  if (i == by_value_.end())
+    i = by_value_.find(first = x.weak());")

@@ -39,6 +39,9 @@ LinkOptions impatient(Milliseconds patience) {
   result.heartbeat = 20ms;
   result.silence = 150ms;
   result.connecting = 150ms;
+  // Even the small values of entries are kept for the next reader, and only a few of them.
+  result.session.shared_content = 1;
+  result.session.kept_contents = 2000;
   return result;
 }
 

@@ -104,6 +104,14 @@ castor_system_mutant(ends_are_not_told actors/link/actor_names.cpp
   FROM "port->tell_end(name);"
   TO "(void)port;")
 
+castor_system_mutant(stale_values_are_referred_to actors/link/kept_contents.cpp
+  FROM "auto i = by_value_.find(x.weak());"
+  TO "static std::map<std::pair<SentContents*, std::string>, std::weak_ptr<const void>> firsts;
+  auto& first = firsts[{this, x.type_name()}];
+  auto i = by_value_.find(first);
+  if (i == by_value_.end())
+    i = by_value_.find(first = x.weak());")
+
 # -- journals
 
 castor_system_mutant(unsynced_changes_are_told wm/memory/journal_outbox.cpp

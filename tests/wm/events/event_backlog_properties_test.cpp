@@ -202,7 +202,7 @@ public:
   void withdraw(std::uint32_t filter) {
     lists_[filter].clear();
     for (auto& [waiting, wanted_by] : queue_)
-      std::erase(wanted_by, filter);
+      castor::erase(wanted_by, filter);
     std::erase_if(queue_, [](auto& x) { return x.second.empty(); });
     rest_if_empty();
   }
@@ -237,7 +237,7 @@ private:
     return std::nullopt;
   }
 
-  void merge(Waiting x, const std::vector<std::uint32_t>& wanted_by) {
+  void merge(Waiting x, const FilterIds& wanted_by) {
     auto& address = x.event.address;
     bool is_end = x.event.operation == Operation::remove;
     if (x.event.operation == Operation::add)
@@ -281,7 +281,7 @@ private:
   }
 
   std::size_t bound_;
-  std::vector<std::pair<Waiting, std::vector<std::uint32_t>>> queue_;
+  std::vector<std::pair<Waiting, FilterIds>> queue_;
   std::map<std::uint32_t, std::vector<Waiting>> lists_;
   std::map<Address, std::size_t> born_;
   std::size_t pushed_ = 0;

@@ -12,7 +12,7 @@ namespace castor::test {
 
 namespace {
 
-using Filters = std::vector<std::uint32_t>;
+using Filters = FilterIds;
 using Lines = std::vector<std::string>;
 
 ChangeEventPtr event(Operation operation, const std::string& id, Version version,
@@ -101,8 +101,8 @@ TEST(EventBacklog, LeavesAloneWhatStandsAlone) {
   auto y = overwrite("y", 3, 6);
   backlog.push(x, {1});
   backlog.push(y, {1});
-  EXPECT_EQ(backlog.pop().at(0).event, x);
-  EXPECT_EQ(backlog.pop().at(0).event, y);
+  EXPECT_EQ(backlog.pop().front().event, x);
+  EXPECT_EQ(backlog.pop().front().event, y);
 }
 
 TEST(EventBacklog, PutsAMergedEventInThePlaceOfItsNewest) {
@@ -115,7 +115,7 @@ TEST(EventBacklog, PutsAMergedEventInThePlaceOfItsNewest) {
   newest->source = "another";
   newest->time = Timestamp{7};
   backlog.push(newest, {1});
-  auto merged = backlog.pop().at(0).event;
+  auto merged = backlog.pop().front().event;
   EXPECT_EQ(merged->sequence, newest->sequence);
   EXPECT_EQ(merged->source, "another");
   EXPECT_EQ(merged->time, Timestamp{7});
@@ -187,7 +187,7 @@ TEST(EventBacklog, TellsOfTheEndOfWhatItHasToldTheBeginningOf) {
   EventBacklog backlog{0};
   backlog.push(add("x"), {1});
   backlog.push(add("y"), {1});
-  EXPECT_EQ(backlog.pop().at(0).event->address.id, "x");
+  EXPECT_EQ(backlog.pop().front().event->address.id, "x");
   EXPECT_TRUE(backlog.is_merging());
   backlog.push(remove("x"), {1});
   backlog.push(remove("y"), {1});

@@ -136,7 +136,7 @@ TEST_F(SlowComponents, HearOfNothingThatTheyWantNoMore) {
   EXPECT_EQ(status("a").backlog, 1u);
   catch_up(slow, "a");
   EXPECT_EQ(slow.notices.size(), limit + 1);
-  EXPECT_EQ(slow.notices.back().filters, std::vector<FilterId>{2});
+  EXPECT_EQ(slow.notices.back().filters, FilterIds{2});
 }
 
 TEST_F(SlowComponents, AreSentWhatTheirRuntimeNeedsAllTheSame) {
@@ -149,7 +149,7 @@ TEST_F(SlowComponents, AreSentWhatTheirRuntimeNeedsAllTheSame) {
   EXPECT_EQ(slow.notices.size(), limit);
   remove({"a", "7"});
   ASSERT_EQ(slow.notices.size(), limit + 1);
-  EXPECT_EQ(slow.notices.back().filters, std::vector<FilterId>{2});
+  EXPECT_EQ(slow.notices.back().filters, FilterIds{2});
   // Acknowledgements of one stream are none of the other's.
   for (int i = 20; i < 50; ++i)
     remove({"a", std::to_string(i)});
@@ -157,7 +157,7 @@ TEST_F(SlowComponents, AreSentWhatTheirRuntimeNeedsAllTheSame) {
   take(slow, "a", 3, EventStream::runtime);
   EXPECT_EQ(slow.notices.size(), 2 * limit + 3);
   for (auto i = 2 * limit; i < slow.notices.size(); ++i)
-    EXPECT_EQ(slow.notices[i].filters, std::vector<FilterId>{2});
+    EXPECT_EQ(slow.notices[i].filters, FilterIds{2});
   caf::send_as(slow.actor, wm.at("a"), Unsubscribe{2});
   scheduler.run();
   EXPECT_EQ(status("a").filters, 1u);

@@ -32,7 +32,7 @@ TEST_F(WorkingMemories, SendOneNoticeHoweverManyFiltersMatch) {
   subscribe(listener, "a", 3, deleted<Item>());
   add({"a", "x"});
   ASSERT_EQ(listener.notices.size(), 1u);
-  EXPECT_EQ(listener.notices[0].filters, (std::vector<FilterId>{1, 2}));
+  EXPECT_EQ(listener.notices[0].filters, (FilterIds{1, 2}));
 }
 
 TEST_F(WorkingMemories, SayNothingOfWhatWasRefused) {
