@@ -148,6 +148,12 @@ TEST(Directives, WhatIsSaidInEverydayWordsIsUnderstood) {
   EXPECT_EQ(result.right, result.all) << result.failures;
 }
 
+TEST(Directives, WhatSaysTheSameIsUnderstood) {
+  const auto result = figures_of("paraphrases.txt");
+  EXPECT_GE(result.all, 70U);
+  EXPECT_EQ(result.right, result.all) << result.failures;
+}
+
 TEST(Directives, MeasuredPlacesAndQuestionsAreUnderstood) {
   const auto result = figures_of("exact.txt");
   EXPECT_GE(result.all, 65U);
