@@ -113,7 +113,7 @@ void ComponentPool::work(PoolStaff::Id self) {
     run(std::move(job));
     lock.lock();
     staff_.end_turn(self);
-    if (staff_.has_surplus(Clock::now()))
+    if (staff_.is_enlarged() && staff_.has_surplus(Clock::now()))
       break;
   }
   staff_.dismiss(self);

@@ -47,10 +47,11 @@ public:
              : std::min(limits_.wanted - there, limits_.most - size());
   }
 
+  /// Whether some were hired in the place of others, which were held up.
+  bool is_enlarged() const { return size() > limits_.wanted; }
+
   /// Whether there are more than enough: those that were held up are back.
-  bool has_surplus(TimePoint now) const {
-    return size() > limits_.wanted && available(now) > limits_.wanted;
-  }
+  bool has_surplus(TimePoint now) const { return is_enlarged() && available(now) > limits_.wanted; }
 
 private:
   std::size_t available(TimePoint now) const {

@@ -64,15 +64,22 @@ void PooledShell::run_turn() {
 bool PooledShell::work() {
   // A run that is to be repeated must not depend on how fast the machine is.
   auto* clock = simulated_clock();
-  const auto end = clock && clock->activity().is_one_at_a_time() ? Clock::time_point::max()
-                                                                 : Clock::now() + longest_turn;
+  const bool may_end = !clock || !clock->activity().is_one_at_a_time();
+  // Counts from the end of its first piece of work: most turns have but one.
+  Clock::time_point end{};
+  auto is_over = [&] {
+    auto now = Clock::now();
+    if (end == Clock::time_point{})
+      end = now + longest_turn;
+    return now >= end;
+  };
   if (stage_ == Stage::leaving) {
     leave();
     return false;
   }
   bool goes_on = true;
   bool lives = live([&] {
-    while ((goes_on = live_on()) && Clock::now() < end) {
+    while ((goes_on = live_on()) && !(may_end && is_over())) {
       // Until there is nothing to do, or others are to have the thread.
     }
   });

@@ -30,8 +30,10 @@ LeaseTableOptions lease_options(const WorkingMemoryOptions& options, EntryTable&
   // Overtaking depends on when threads wake, which a reproducible run must not.
   if (options.clock && options.clock->activity().is_one_at_a_time())
     result.overtaking = Timestamp{0};
+  // A lease does not know whether its entry is still there.
   result.on_exclusion = [&entries](const std::string& id, bool is_excluded) {
-    entries.change(id, [&](EntryTable::Slot& x) { x.is_excluded = is_excluded; });
+    if (entries.find(id))
+      entries.change(id, [&](EntryTable::Slot& x) { x.is_excluded = is_excluded; });
   };
   // Of whatever session: a lease's token is never that of another.
   result.first_token =
