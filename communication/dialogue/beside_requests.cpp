@@ -49,12 +49,22 @@ bool begins_reason(const WordList& words, std::size_t at, const Lexicon& lexicon
 }
 
 /// \param is_after whether something else is said before it
-bool is_clear_request(const PackedLogicalForm& form, bool is_after) {
-  const auto said = unpack(form, form.readings.front().id).front();
-  if (feature(*find_nominal(said, said.root), "Mood") != "imp")
+bool is_clear_request(const LogicalForm& said, bool is_after) {
+  const auto& root = *find_nominal(said, said.root);
+  // "Could you give me the ball?"
+  const bool is_asked = root.sort == "action" && feature(root, "Mood") == "int" &&
+                        !feature(root, "Modality").empty();
+  if (feature(root, "Mood") != "imp" && !is_asked)
     return false;
   return !is_after || std::ranges::none_of(part_of(said, said.root).nominals,
                                            [](const Nominal& x) { return is_pronoun(x); });
+}
+
+bool is_clear_request(const PackedLogicalForm& form, bool is_after) {
+  return std::ranges::any_of(form.readings, [&](const Reading& reading) {
+    const auto said = unpack(form, reading.id);
+    return said.size() == 1 && is_clear_request(said.front(), is_after);
+  });
 }
 
 std::optional<PackedLogicalForm> clear_request(Parser& parser, WordList words,

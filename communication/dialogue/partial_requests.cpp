@@ -2,6 +2,7 @@
 
 #include "castor/communication/dialogue/aside_clauses.hpp"
 #include "castor/communication/dialogue/asides.hpp"
+#include "castor/communication/dialogue/beside_requests.hpp"
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
@@ -443,6 +444,10 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
 std::optional<PackedLogicalForm>
 partly_understood(Parser& parser, const WordList& said, const WordList& corrected,
                   const std::vector<SpellingCorrection>& corrections) {
+  // What is left out is no place for typing errors: "..., I need to put my cup there".
+  if (!corrections.empty())
+    if (auto whole = parsed_request_alone(parser, said))
+      return whole;
   std::optional<PackedLogicalForm> result;
   if (const auto other = paraphrased(said, parser.lexicon(), false))
     result = partly_understood(parser, *other);
