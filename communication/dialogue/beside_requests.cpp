@@ -52,8 +52,8 @@ bool begins_reason(const WordList& words, std::size_t at, const Lexicon& lexicon
 bool is_clear_request(const LogicalForm& said, bool is_after) {
   const auto& root = *find_nominal(said, said.root);
   // "Could you give me the ball?"
-  const bool is_asked = root.sort == "action" && feature(root, "Mood") == "int" &&
-                        !feature(root, "Modality").empty();
+  const bool is_asked =
+    root.sort == "action" && feature(root, "Mood") == "int" && !feature(root, "Modality").empty();
   if (feature(root, "Mood") != "imp" && !is_asked)
     return false;
   return !is_after || std::ranges::none_of(part_of(said, said.root).nominals,

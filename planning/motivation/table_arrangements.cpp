@@ -25,6 +25,10 @@ constexpr double wide_gap = 0.06;
 /// How far from the middle of the table the rim of what is clearly on a side of it is, metres.
 constexpr double clearly_beyond = 0.03;
 
+/// What is farther from the middle is at an edge, as far as the arm reaches there, metres.
+constexpr double edge_beside = 0.20;
+constexpr double edge_beyond = 0.13;
+
 struct Offset {
   double x = 0;
   double y = 0;
@@ -153,7 +157,9 @@ Offsets apart(const Things& things, const Offset& middle, double factor) {
 bool is_on_side(double x, double y, double radius, std::string_view side) {
   const double least = radius + clearly_beyond;
   return side.empty() || (side == "left" && x <= -least) || (side == "right" && x >= least) ||
-         (side == "front" && y <= -least) || (side == "back" && y >= least);
+         (side == "front" && y <= -least) || (side == "back" && y >= least) ||
+         (side == "left-edge" && x <= -edge_beside) || (side == "right-edge" && x >= edge_beside) ||
+         (side == "front-edge" && y <= -edge_beyond) || (side == "back-edge" && y >= edge_beyond);
 }
 
 /// What is asked for besides how they stand to each other.
@@ -229,6 +235,11 @@ std::vector<TableSpot> arranged(std::string_view arrangement,
                                 const std::vector<const TableThing*>& things,
                                 std::span<const TableThing> table, std::string_view side) {
   const Wanted wanted{table, side};
+  // "In a row along the left edge".
+  const bool is_along_side =
+    arrangement == "in-row" && (side == "left-edge" || side == "right-edge");
+  if (is_along_side)
+    return around(in_column(things), things, wanted);
   if (arrangement == "in-row")
     return around(in_row(things, ranks(things, [](const TableThing& t) { return t.x; })), things,
                   wanted);

@@ -15,7 +15,8 @@ namespace castor::planning {
 /// far from each other, from rim to rim.
 ///
 /// @param things two at least, of `table`
-/// @param side of the table where all of them are to be: left, right, front, back; or empty
+/// @param side of the table where all of them are to be: left, right, front, back, or the edge
+///     there, such as left-edge, along which a row goes; or empty
 /// @returns a spot for each of the things, "spot-of-" and its object; none if there is no room
 std::vector<TableSpot> arranged(std::string_view arrangement,
                                 const std::vector<const TableThing*>& things,

@@ -37,6 +37,12 @@ TableGoal TableGoalMaker::put() {
       auto goal = arrange(place.relation, part->relation);
       if (goal.wish == TableWish::goal)
         return goal;
+      // Where no row has room at an edge, it may have room on that side.
+      const auto edge = part->relation.find("-edge");
+      if (edge != std::string::npos)
+        goal = arrange(place.relation, part->relation.substr(0, edge));
+      if (goal.wish == TableWish::goal)
+        return goal;
       // "In a row along the edge": at an edge they are in a row.
       continue;
     }

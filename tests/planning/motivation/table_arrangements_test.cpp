@@ -117,6 +117,18 @@ TEST(TableArrangements, ThingsThatAreSpreadAreFartherFromEachOther) {
   EXPECT_NEAR(gap(spread[0], spread[1]), 0.2, 1e-9);
 }
 
+TEST(TableArrangements, ARowAlongAnEdgeIsCloseToIt) {
+  const std::vector table{thing_at("a", -0.05, 0.0), thing_at("b", 0.05, 0.05)};
+  const auto front = arranged("in-row", first(table, 2), table, "front-edge");
+  ASSERT_EQ(front.size(), 2U);
+  EXPECT_NEAR(front[0].y, front[1].y, 1e-9);
+  EXPECT_LE(front[0].y, -0.13);
+  const auto left = arranged("in-row", first(table, 2), table, "left-edge");
+  ASSERT_EQ(left.size(), 2U);
+  EXPECT_NEAR(left[0].x, left[1].x, 1e-9);
+  EXPECT_LE(left[0].x, -0.2);
+}
+
 TEST(TableArrangements, ThereMayBeNoRoom) {
   std::vector<TableThing> table;
   for (int i = 0; i < 12; ++i)
