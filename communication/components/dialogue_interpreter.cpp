@@ -44,7 +44,7 @@ class DialogueInterpreter final : public UsesLexicon<UnmanagedComponent> {
     move.corrections = form.corrections;
     move.partial = form.partial;
     if (!is_understood(form))
-      move.problem = problem_of(form);
+      move.problem = problem_of(form, lexicon()->meanings());
     else
       take_readings(form, move);
     take_requests(move, lexicon()->meanings());

@@ -2,8 +2,10 @@
 
 #include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/word_lists.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
+#include "castor/communication/parsing/tokens.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -171,7 +173,28 @@ std::string said_back(const DialogueMove& move) {
   return taken;
 }
 
-std::string problem_of(const PackedLogicalForm& form) {
+namespace {
+
+/// "Could you recite a poem?": the verb, if it is not known; else empty.
+std::string unknown_deed(const std::string& text, const std::vector<std::string>& unknown) {
+  const auto words = words_of(text);
+  auto word = std::ranges::find_if_not(words, [](const auto& x) {
+    return is_among(x, {"please", "can", "could", "would", "will", "you", "now",  "then",
+                        "just",   "so",  "and",   "robot", ",",    "i",   "want", "to",
+                        "kindly", "ok",  "like",  "need",  "'d",   "let", "'s"});
+  });
+  if (word == words.end() || std::next(word) == words.end() ||
+      std::ranges::find(unknown, *word) == unknown.end())
+    return {};
+  const bool has_object =
+    is_among(*std::next(word), {"the", "a", "an", "this", "that", "these", "those", "my", "your",
+                                "me", "it", "them", "us", "both", "all", "his", "her", "some"});
+  return has_object ? *word : std::string{};
+}
+
+} // namespace
+
+std::string problem_of(const PackedLogicalForm& form, const WordMeanings& meanings) {
   std::string text = "I do not understand that";
   if (form.unparsable.empty())
     return text + '.';
@@ -179,6 +202,9 @@ std::string problem_of(const PackedLogicalForm& form) {
   for (const auto& x : form.unparsable)
     if (x.reason.ends_with("is not known") && std::ranges::find(unknown, x.text) == unknown.end())
       unknown.push_back(x.text);
+  if (const auto deeds = meanings.replies.find("deeds"); deeds != meanings.replies.end())
+    if (const auto verb = unknown_deed(form.text, unknown); !verb.empty())
+      return "I do not know how to " + verb + ". " + deeds->second;
   const auto& problem = form.unparsable.front();
   if (unknown.empty())
     text += ": " + problem.reason;

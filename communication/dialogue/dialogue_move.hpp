@@ -34,8 +34,9 @@ void take_requests(DialogueMove& move, const WordMeanings& meanings);
 /// for others or left out, and what is not understood beside a request; else empty.
 std::string said_back(const DialogueMove& move);
 
-/// What to say of an utterance that is not understood, for people to read.
-std::string problem_of(const PackedLogicalForm& form);
+/// What to say of an utterance that is not understood, for people to read; of a request with a verb
+/// that is not known, what the robot can do instead.
+std::string problem_of(const PackedLogicalForm& form, const WordMeanings& meanings);
 
 /// Type name of the action that a request's verb asks for; empty if no action does what it says.
 std::string action_asked_for(const LogicalForm& request, const WordMeanings& meanings);

@@ -86,7 +86,7 @@ Reply TableTalk::say_sentence(const std::string& text) {
   Reply reply;
   if (!is_understood(form)) {
     reply.is_parsed = false;
-    move.problem = problem_of(form);
+    move.problem = problem_of(form, vocabulary_->meanings());
   } else
     take_readings(form, move);
   take_requests(move, vocabulary_->meanings());
