@@ -164,6 +164,21 @@ bool is_vocative(Words words, const Lexicon& lexicon) {
   return frame && !frame->has_adverb && !words.front().ends_with("er");
 }
 
+/// "Nearly touching", "for a second look": what is said after a request of how it is meant, but of
+/// no other thing, and no place.
+bool is_appendix(Words words, const Lexicon& lexicon) {
+  constexpr std::size_t longest = 6;
+  const auto& first = words.front();
+  return words.size() <= longest && !is_decisive(words, lexicon) &&
+         std::ranges::none_of(words, is_negation) && !is_article(first) && !is_possessive(first) &&
+         !is_among(first, {"on",   "in",    "at",    "to",    "into",  "onto",   "next",   "beside",
+                           "left", "right", "near",  "with",  "of",    "or",     "which",  "who",
+                           "that", "by",    "from",  "after", "above", "below",  "under",  "where",
+                           "up",   "down",  "over",  "out",   "there", "here",   "as",     "like",
+                           "and",  "but",   "so",    "all",   "both",  "two",    "than",   "behind",
+                           "what", "how",   "until", "while", "when",  "before", "between"});
+}
+
 class AsideJudge {
 public:
   AsideJudge(const Lexicon& lexicon, Beside beside) : lexicon_(lexicon), beside_(beside) {}
@@ -178,6 +193,7 @@ public:
            (is_manner(words, lexicon_) || is_statement(words, beside_, lexicon_) ||
             is_vocative(words, lexicon_) ||
             (is_first && beside_ == Beside::request && is_exclamation(words, lexicon_)) ||
+            (!is_first && beside_ == Beside::request && is_appendix(words, lexicon_)) ||
             (beside_ == Beside::request && is_other_deed(words, lexicon_)));
   }
 

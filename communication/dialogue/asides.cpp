@@ -1,12 +1,9 @@
 #include "castor/communication/dialogue/asides.hpp"
 
-#include "castor/communication/dialogue/beside_requests.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
-#include "castor/communication/dialogue/function_words.hpp"
 #include "castor/communication/dialogue/word_lists.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
-#include "castor/communication/parsing/pauses.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,9 +23,6 @@ constexpr std::size_t longest_frame = 12;
 
 /// More words that are not known are no frame.
 constexpr std::size_t most_unknown = 3;
-
-/// How often one paraphrase is applied to an utterance.
-constexpr std::size_t most_repetitions = 3;
 
 std::string joined(std::span<const std::string> words) {
   std::string result;
@@ -157,6 +151,14 @@ bool is_sentence(const LogicalForm& form) {
   return is_clause(form, root) || feature(root, "Mood") == "int" || root.sort == "small-talk";
 }
 
+} // namespace
+
+bool says_sentence(const PackedLogicalForm& form) {
+  return is_sentence(first_reading(form));
+}
+
+namespace {
+
 /// Looks for the part of an utterance that is understood by itself.
 class CoreSearch {
 public:
@@ -270,69 +272,6 @@ std::optional<PackedLogicalForm> parsed_without_asides(Parser& parser, const Wor
     if (auto form = parser.parse_whole(std::move(plain)); form && is_sentence(first_reading(*form)))
       return form;
   return CoreSearch{parser, words}.run();
-}
-
-namespace {
-
-/// Of an utterance that is not understood as it stands.
-std::optional<PackedLogicalForm> parsed_otherwise(Parser& parser, const WordList& words,
-                                                  const PackedLogicalForm& form) {
-  if (auto result = parsed_without_asides(parser, words))
-    return result;
-  if (auto result = parsed_request_alone(parser, words))
-    return result;
-  // "How many balls red" asks how many are red, rather than "how many balls, red or not".
-  if (auto result = parsed_with_function_words(parser, words))
-    return result;
-  // "Any of them a ball" is no list of two phrases.
-  if (auto result = parsed_with_pause(parser, words, form);
-      result && is_sentence(first_reading(*result)))
-    return result;
-  const auto core = without_asides(words, parser.lexicon());
-  return core.size() < words.size() ? parsed_with_function_words(parser, core) : std::nullopt;
-}
-
-/// Of what says the same.
-std::optional<PackedLogicalForm> parsed_paraphrase(Parser& parser, WordList words) {
-  if (auto result = parsed_without_asking(parser, words))
-    return result;
-  IncrementalParse parse{parser};
-  for (const auto& word : words)
-    parse.add(word);
-  parse.finish();
-  auto form = parse.form();
-  return is_understood(form) ? std::optional{std::move(form)}
-                             : parsed_otherwise(parser, words, form);
-}
-
-} // namespace
-
-std::optional<WordList> paraphrased(WordList words, const Lexicon& lexicon, bool is_understood) {
-  bool is_changed = false;
-  const auto apply = [&](std::span<const Paraphrase> paraphrases) {
-    for (const auto& paraphrase : paraphrases)
-      for (std::size_t i = 0; i < most_repetitions && paraphrase.apply(words); ++i)
-        is_changed = true;
-  };
-  apply(lexicon.paraphrases(true));
-  if (!is_understood)
-    apply(lexicon.paraphrases(false));
-  return is_changed ? std::optional{std::move(words)} : std::nullopt;
-}
-
-std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
-                                          const PackedLogicalForm& form) {
-  if (auto other = paraphrased(words, parser.lexicon(), true))
-    if (auto result = parsed_paraphrase(parser, std::move(*other)))
-      return result;
-  if (auto result = parsed_without_asking(parser, words))
-    return result;
-  if (is_understood(form))
-    return std::nullopt;
-  if (auto result = parsed_otherwise(parser, words, form))
-    return result;
-  auto other = paraphrased(words, parser.lexicon(), false);
-  return other ? parsed_paraphrase(parser, std::move(*other)) : std::nullopt;
 }
 
 } // namespace castor::communication

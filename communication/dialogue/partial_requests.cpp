@@ -7,6 +7,7 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
+#include "castor/communication/dialogue/reparsing.hpp"
 #include "castor/communication/dialogue/word_lists.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"

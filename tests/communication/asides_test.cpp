@@ -1,4 +1,5 @@
 #include "castor/communication/dialogue/asides.hpp"
+#include "castor/communication/dialogue/reparsing.hpp"
 #include "castor/communication/lexicon/english_lexicon.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/lexicon_reader.hpp"

@@ -1,6 +1,6 @@
 #include "castor/communication/parsing/paraphrase.hpp"
 
-#include "castor/communication/dialogue/asides.hpp"
+#include "castor/communication/dialogue/reparsing.hpp"
 #include "castor/communication/parsing/lexicon_reader.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 

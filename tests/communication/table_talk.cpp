@@ -1,12 +1,12 @@
 #include "castor/tests/communication/table_talk.hpp"
 
-#include "castor/communication/dialogue/asides.hpp"
 #include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/partial_requests.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/presence.hpp"
+#include "castor/communication/dialogue/reparsing.hpp"
 #include "castor/communication/dialogue/salience.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/spelling.hpp"

@@ -148,11 +148,13 @@ TEST(TableSpots, WhatIsSortedByHeightStandsInARow) {
   EXPECT_LT(x_in(down, things[0]), x_in(down, things[1]));
 }
 
-TEST(TableSpots, ARowAlongAnEdgeIsAtTheEdge) {
-  EXPECT_EQ(
-    goal_of({"Put", {"p/ball", "p/disc"}, 0, {{"in-row", {}}, {"back-edge", {}}}, {}}, spotted())
-      .formula,
-    "(and (in-part ball back-edge) (in-part disc back-edge))");
+TEST(TableSpots, ARowAlongAnEdgeIsARowThere) {
+  const auto goal =
+    goal_of({"Put", {"p/ball", "p/disc"}, 0, {{"in-row", {}}, {"back-edge", {}}}, {}}, spotted());
+  EXPECT_EQ(goal.formula, "(and (= (pos ball) spot-of-ball) (= (pos disc) spot-of-disc))");
+  ASSERT_EQ(goal.spots.size(), 2U);
+  EXPECT_NEAR(goal.spots[0].y, goal.spots[1].y, 1e-9);
+  EXPECT_GE(goal.spots[0].y, 0.13);
 }
 
 TEST(TableSpots, WhatWasToBeRememberedIsMadeAgain) {
