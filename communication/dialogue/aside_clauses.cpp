@@ -1,7 +1,7 @@
 #include "castor/communication/dialogue/aside_clauses.hpp"
 
 #include "castor/communication/dialogue/asides.hpp"
-#include "castor/communication/dialogue/word_lists.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
 #include <cstddef>

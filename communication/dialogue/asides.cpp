@@ -1,9 +1,9 @@
 #include "castor/communication/dialogue/asides.hpp"
 
 #include "castor/communication/dialogue/dialogue_move.hpp"
-#include "castor/communication/dialogue/word_lists.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #include "castor/communication/dialogue/aside_clauses.hpp"
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
-#include "castor/communication/dialogue/word_lists.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -155,18 +155,18 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
   WordList left_out;
   // "And if that does not work, on the disc": what follows is part of it.
   bool is_alternative = false;
+  bool begins_with_remark = false;
   for (const auto& x : pieces_of(words)) {
-    const bool is_left_out =
-      is_alternative || is_remark(x, parser.lexicon()) || is_about_people(x, parser);
+    const bool is_aside_piece = is_remark(x, parser.lexicon()) || is_about_people(x, parser);
+    if (request.empty() && left_out.empty())
+      begins_with_remark = is_aside_piece;
+    const bool is_left_out = is_alternative || is_aside_piece;
     is_alternative = is_left_out && (is_alternative || begins_with_if(x));
     auto& to = is_left_out ? left_out : request;
     if (!to.empty())
       to.emplace_back(",");
     to.insert(to.end(), x.begin(), x.end());
   }
-  const auto first = pieces_of(words).front();
-  const bool begins_with_remark =
-    is_remark(first, parser.lexicon()) || is_about_people(first, parser);
   return clear_request(parser, std::move(request), left_out, begins_with_remark);
 }
 

@@ -8,9 +8,9 @@
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/reparsing.hpp"
-#include "castor/communication/dialogue/word_lists.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -414,7 +414,7 @@ std::optional<PackedLogicalForm> agreement_in(Parser& parser, const WordList& wo
 std::optional<PackedLogicalForm> remark_in(Parser& parser, const WordList& words) {
   const bool is_statement =
     is_among(words.front(), {"i", "it", "we", "he", "she", "they", "my", "our", "his", "her"}) &&
-    words.back() != "?" && is_aside(parser.lexicon(), words, Beside::request, false);
+    is_aside(parser.lexicon(), words, Beside::request, false);
   const bool may_be_wish = std::ranges::any_of(words, [](const auto& x) {
     return is_among(x, {"you", "your", "it", "them", "that"});
   });

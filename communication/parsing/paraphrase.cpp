@@ -1,7 +1,8 @@
 #include "castor/communication/parsing/paraphrase.hpp"
 
+#include "castor/communication/parsing/word_lists.hpp"
+
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -26,23 +27,17 @@ bool is_slot(std::string_view word) {
   return word == "X" || word == "Y" || word == "Z";
 }
 
-template <std::size_t N>
-bool is_any(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
 /// What follows "please" or "could you" is a request as if nothing stood before it.
 bool begins_part(const std::vector<std::string>& words, std::size_t at, bool is_slot) {
-  constexpr std::array<std::string_view, 14> leading{"please", "you",  "to",   "now",  "then",
-                                                     "so",     "and",  "but",  "ok",   "okay",
-                                                     "just",   "also", "well", "right"};
-  return at == 0 || words[at - 1] == "," || (!is_slot && is_any(words[at - 1], leading));
+  return at == 0 || words[at - 1] == "," ||
+         (!is_slot &&
+          is_among(words[at - 1], {"please", "you", "to", "now", "then", "so", "and", "but", "ok",
+                                   "okay", "just", "also", "well", "right"}));
 }
 
 bool ends_part(const std::vector<std::string>& words, std::size_t at) {
-  constexpr std::array<std::string_view, 6> closing{",",  "please", "thanks",
-                                                    "ta", "mate",   "cheers"};
-  return at == words.size() || is_any(words[at], closing);
+  return at == words.size() ||
+         is_among(words[at], {",", "please", "thanks", "ta", "mate", "cheers"});
 }
 
 } // namespace

@@ -20,10 +20,11 @@ namespace castor::communication {
 ///     of_course        several words
 ///     X Y Z            one to ten words without a pause, the same in the paraphrase
 ///     ,                a pause
-///     < at the begin   only where an utterance or a part of it after a pause begins, or after
-///     words
-///                      such as "please" and "could you"
-///     > at the end     only where one ends, or before such words
+///     < at the begin   only where an utterance or a part of it after a pause begins
+///     > at the end     only where one ends
+///
+/// What follows words such as "please" and "could you" begins there, too, and what comes before
+/// "please" or "thanks" ends there.
 ///
 /// A slot that begins or ends a pattern goes to where the utterance or its part begins or ends.
 class Paraphrase {

@@ -238,7 +238,7 @@ std::vector<TableSpot> arranged(std::string_view arrangement,
   // "In a row along the left edge".
   const bool is_along_side =
     arrangement == "in-row" && (side == "left-edge" || side == "right-edge");
-  if (is_along_side)
+  if (is_along_side || arrangement == "in-column")
     return around(in_column(things), things, wanted);
   if (arrangement == "in-row")
     return around(in_row(things, ranks(things, [](const TableThing& t) { return t.x; })), things,
@@ -247,8 +247,6 @@ std::vector<TableSpot> arranged(std::string_view arrangement,
     return around(in_row(things, as_named(things)), things, wanted);
   if (arrangement == "in-two-rows")
     return around({in_two_rows(things)}, things, wanted);
-  if (arrangement == "in-column")
-    return around(in_column(things), things, wanted);
   const auto middle = middle_of(things);
   if (arrangement == "in-ring")
     return around({in_ring(things, middle)}, things, wanted);

@@ -81,15 +81,15 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement, const std::str
   if (spots_.empty())
     return refusal("There is no room to put them " + words +
                    ". Take something away first, or tell me fewer things.");
+  std::vector<TableSpot> needed;
   for (std::size_t i = 0; i < things_.size(); ++i) {
     const auto& x = *things_[i];
     const bool is_right = std::hypot(spots_[i].x - x.x, spots_[i].y - x.y) < stands_right;
     facts_.push_back("(= (pos " + x.object + ") " + (is_right ? x.waypoint : spots_[i].name) + ')');
+    if (!is_right)
+      needed.push_back(spots_[i]);
   }
-  std::erase_if(spots_, [&](const TableSpot& x) {
-    return std::ranges::none_of(
-      facts_, [&](const std::string& fact) { return fact.ends_with(' ' + x.name + ')'); });
-  });
+  spots_ = std::move(needed);
   return goal("put " + listed(things_) + ' ' + words + but_what_is_kept(),
               listed(things_) + are(things_) + ' ' + words + " now" + but_what_is_kept());
 }
