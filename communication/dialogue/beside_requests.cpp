@@ -198,6 +198,17 @@ std::optional<PackedLogicalForm> parsed_without_asking(Parser& parser, const Wor
                                                                       : std::nullopt;
 }
 
+std::vector<std::string> without_reasons(const WordList& words, const Lexicon& lexicon) {
+  WordList result;
+  bool is_reason = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    is_reason = words[i] != "," && (is_reason || begins_reason(words, i, lexicon));
+    if (!is_reason)
+      result.push_back(words[i]);
+  }
+  return result;
+}
+
 std::optional<PackedLogicalForm> parsed_request_alone(Parser& parser, const WordList& words) {
   if (auto result = without_reason(parser, words))
     return result;

@@ -22,4 +22,8 @@ std::optional<PackedLogicalForm> parsed_request_alone(Parser& parser,
 std::optional<PackedLogicalForm> parsed_without_asking(Parser& parser,
                                                        const std::vector<std::string>& words);
 
+/// Without parts that only say why: "so that I can see it".
+std::vector<std::string> without_reasons(const std::vector<std::string>& words,
+                                         const Lexicon& lexicon);
+
 } // namespace castor::communication

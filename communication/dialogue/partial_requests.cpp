@@ -8,6 +8,8 @@
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/reparsing.hpp"
+#include "castor/communication/dialogue/request_gist.hpp"
+#include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
@@ -35,25 +37,6 @@ constexpr std::size_t longest_place = 8;
 /// In words: a thing that "it" may stand for.
 constexpr std::size_t longest_phrase = 8;
 
-WordList words_between(const WordList& words, std::size_t begin, std::size_t end) {
-  return {std::next(words.begin(), static_cast<std::ptrdiff_t>(begin)),
-          std::next(words.begin(), static_cast<std::ptrdiff_t>(end))};
-}
-
-/// As it is written.
-std::string written(const WordList& words) {
-  std::string result;
-  for (const auto& word : words) {
-    if (word == "n't" && result.ends_with("can"))
-      result.pop_back();
-    const bool is_joined = word == "," || word == "n't" || word.starts_with('\'');
-    result += (result.empty() || is_joined ? "" : " ") + (word == "i" ? std::string{"I"} : word);
-  }
-  while (result.ends_with(',') || result.ends_with(' '))
-    result.pop_back();
-  return result;
-}
-
 /// As the robot says it.
 WordList with_persons_swapped(WordList words) {
   for (auto& word : words)
@@ -62,13 +45,6 @@ WordList with_persons_swapped(WordList words) {
     else if (word == "my" || word == "our")
       word = "your";
   return words;
-}
-
-DialogueMove move_of(const PackedLogicalForm& form, const Lexicon& lexicon) {
-  DialogueMove result;
-  take_readings(form, result);
-  take_requests(result, lexicon.meanings());
-  return result;
 }
 
 bool begins_question(std::string_view word) {
@@ -335,12 +311,9 @@ private:
 
   std::optional<LogicalForm> thing_in(WordList phrase) {
     const auto form = parse(std::move(phrase));
-    if (!form)
-      return std::nullopt;
-    auto said = unpack(*form, form->readings.front().id).front();
-    const auto& root = *find_nominal(said, said.root);
-    return root.sort == "thing" && !is_pronoun(root) ? std::optional{std::move(said)}
-                                                     : std::nullopt;
+    return form && is_thing_phrase(*form)
+             ? std::optional{unpack(*form, form->readings.front().id).front()}
+             : std::nullopt;
   }
 
   // -- where something is to go
@@ -436,6 +409,8 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
     return result;
   PartSearch search{parser, words};
   if (auto result = search.run())
+    return result;
+  if (auto result = request_gist(parser, words))
     return result;
   if (auto result = search.without_place())
     return result;

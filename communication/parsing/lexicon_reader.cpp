@@ -24,9 +24,9 @@ constexpr std::size_t max_bytes = std::size_t{4} << 20;
 constexpr std::size_t max_variables = 60;
 
 const std::vector<std::string_view> keywords = {
-  "feature", "root",   "raise",   "call",     "filler",      "aside",       "frame",
-  "person",  "name",   "telling", "decisive", "reason",      "comment",     "agreement",
-  "refusal", "family", "words",   "nouns",    "paraphrases", "replacements"};
+  "feature", "root",   "raise",   "call",     "filler",      "aside",        "frame",
+  "person",  "name",   "telling", "decisive", "reason",      "comment",      "agreement",
+  "refusal", "family", "words",   "nouns",    "paraphrases", "replacements", "list"};
 
 const std::map<std::string_view, WordClass> word_classes = {
   {"aside", WordClass::aside},         {"frame", WordClass::frame},
@@ -177,6 +177,8 @@ private:
       read_raising(rest);
     else if (keyword.text == "call")
       read_name(rest);
+    else if (keyword.text == "list")
+      read_list(rest);
     else if (const auto word_class = word_classes.find(keyword.text);
              word_class != word_classes.end())
       for (const auto& piece : rest)
@@ -199,7 +201,7 @@ private:
 
   void read_paraphrase(const Piece& line, const Piece& first) {
     try {
-      lexicon_->add_paraphrase(Paraphrase{line.text}, block_ == Block::replacements);
+      lexicon_->add_paraphrase(Paraphrase{line.text, lists_}, block_ == Block::replacements);
     } catch (const std::invalid_argument& error) {
       fail(first, error.what(), "Write it as in: give X a push|shove = push X");
     }
@@ -239,6 +241,14 @@ private:
     for (std::size_t i = 2; i < pieces.size(); ++i)
       name.name += " " + pieces[i].text;
     lexicon_->add_name(std::move(name));
+  }
+
+  void read_list(const std::vector<Piece>& pieces) {
+    if (pieces.size() != 2)
+      fail(pieces.front(), "a list has a name and words", "Write it as in: list side left|right");
+    if (!lists_.emplace(pieces.front().text, pieces.back().text).second)
+      fail(pieces.front(), "there is a list \"" + pieces.front().text + "\" already",
+           "Give it another name.");
   }
 
   void read_fillers(const std::vector<Piece>& pieces) {
@@ -354,6 +364,7 @@ private:
   std::shared_ptr<Lexicon> lexicon_ = std::make_shared<Lexicon>();
   FeatureDeclarations declarations_;
   std::map<std::string, Family, std::less<>> families_;
+  Paraphrase::Lists lists_;
   Family* family_ = nullptr;
   std::optional<Piece> family_line_;
   std::vector<std::string> word_features_;

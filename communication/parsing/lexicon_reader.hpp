@@ -29,6 +29,7 @@
 ///     agreement please_do go_on     # whole utterances that agree to what is proposed
 ///     refusal better_not            # or decline it
 ///
+///     list side left|right          # what "@side" in a paraphrase stands for
 ///     paraphrases                   # what says the same as something that is understood, which is
 ///       give X a push|shove = push X       # tried for what is not (paraphrase.hpp)
 ///     replacements                  # the same, tried first: what is understood without them is

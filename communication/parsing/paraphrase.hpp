@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,6 +20,7 @@ namespace castor::communication {
 ///     nudge|shove      one of several
 ///     little|tiny?     may be missing, too
 ///     of_course        several words
+///     @side            one of a list that has this name, the same in the paraphrase
 ///     X Y Z            one to ten words without a pause, the same in the paraphrase
 ///     ,                a pause
 ///     < at the begin   only where an utterance or a part of it after a pause begins
@@ -29,9 +32,12 @@ namespace castor::communication {
 /// A slot that begins or ends a pattern goes to where the utterance or its part begins or ends.
 class Paraphrase {
 public:
+  /// What a name stands for: "left|right".
+  using Lists = std::map<std::string, std::string, std::less<>>;
+
   /// \param text PATTERN = WORDS
   /// \throws std::invalid_argument what is wrong with it
-  explicit Paraphrase(std::string_view text);
+  explicit Paraphrase(std::string_view text, const Lists& lists = {});
 
   /// Puts what is said in the place of the first match; false if there is none.
   bool apply(std::vector<std::string>& words) const;
@@ -45,8 +51,11 @@ private:
   struct Element {
     /// Empty for a slot.
     std::vector<Words> alternatives;
-    char slot = 0;
+    /// By which the paraphrase has what matches; empty if it does not.
+    std::string name;
     bool is_optional = false;
+
+    bool is_slot() const { return alternatives.empty(); }
   };
 
   /// Words of an utterance, from one position to another.
@@ -55,16 +64,18 @@ private:
     std::size_t end = 0;
   };
 
-  /// What matches the slots, by name.
-  using Slots = std::vector<std::pair<char, Range>>;
+  /// What matches the elements that have names.
+  using Matches = std::vector<std::pair<std::string_view, Range>>;
 
-  void read_pattern(std::string_view text);
+  void read_pattern(std::string_view text, const Lists& lists);
   void read_replacement(std::string_view text);
-  bool has_slot(char name) const;
+  bool has_element(std::string_view name) const;
   std::optional<std::size_t> match(const Words& said, std::size_t at, std::size_t element,
-                                   Slots& slots) const;
+                                   Matches& matches) const;
+  std::optional<std::size_t> match_word(const Words& said, std::size_t at, std::size_t element,
+                                        Matches& matches) const;
   std::optional<std::size_t> match_slot(const Words& said, std::size_t at, std::size_t element,
-                                        Slots& slots) const;
+                                        Matches& matches) const;
 
   std::vector<Element> pattern_;
   Words replacement_;

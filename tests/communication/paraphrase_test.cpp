@@ -77,16 +77,40 @@ TEST(Paraphrase, APatternMayHaveToBeginOrEndAPart) {
 
 TEST(Paraphrase, WhatIsWrongInOneIsSaid) {
   EXPECT_THAT(problem_of("give X a push"), HasSubstr("what says the same"));
-  EXPECT_THAT(problem_of("give X = take Y"), HasSubstr("no slot \"Y\""));
+  EXPECT_THAT(problem_of("give X = take Y"), HasSubstr("has no \"Y\""));
   EXPECT_THAT(problem_of("X and X = X"), HasSubstr("twice"));
   EXPECT_THAT(problem_of("X maybe? = X"), HasSubstr("has to be said"));
+  EXPECT_THAT(problem_of("on the @side = at the @side"), HasSubstr("no list has the name \"side\""));
+}
+
+TEST(Paraphrase, WhatIsSaidOfAListIsSaidInTheParaphrase) {
+  const auto read = read_lexicon("root s\n"
+                                 "list side left|right|left_hand\n"
+                                 "paraphrases\n"
+                                 "  clear|empty @side? side|half = clear the @side side\n",
+                                 "some.words");
+  ASSERT_TRUE(read.problems.empty());
+  const auto said = [&](std::string_view words) {
+    return joined(paraphrased(words_of(words), *read.lexicon, false).value());
+  };
+  EXPECT_EQ(said("empty right half"), "clear the right side");
+  EXPECT_EQ(said("empty left hand half"), "clear the left hand side");
+  EXPECT_EQ(said("empty half"), "clear the side");
+}
+
+TEST(Paraphrase, ListsAreNamedOnceAndHaveWords) {
+  const auto read = read_lexicon("root s\nlist side left|right\nlist side front\nlist empty\n",
+                                 "some.words");
+  ASSERT_EQ(read.problems.size(), 2U);
+  EXPECT_THAT(read.problems.front().message, HasSubstr("already"));
+  EXPECT_THAT(read.problems.back().message, HasSubstr("a name and words"));
 }
 
 TEST(Paraphrase, OneThatIsWrongIsReportedWithItsLine) {
   const auto read = read_lexicon("root s\nparaphrases\n  give X = take Y\n", "some.words");
   ASSERT_EQ(read.problems.size(), 1U);
   EXPECT_EQ(read.problems.front().where.line(), 3U);
-  EXPECT_THAT(read.problems.front().message, HasSubstr("no slot \"Y\""));
+  EXPECT_THAT(read.problems.front().message, HasSubstr("has no \"Y\""));
   EXPECT_THAT(read.problems.front().remedy, HasSubstr("push X"));
 }
 

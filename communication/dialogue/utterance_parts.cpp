@@ -1,0 +1,44 @@
+#include "castor/communication/dialogue/utterance_parts.hpp"
+
+#include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/packing.hpp"
+
+#include <iterator>
+
+namespace castor::communication {
+
+std::vector<std::string> words_between(const std::vector<std::string>& words, std::size_t begin,
+                                       std::size_t end) {
+  return {std::next(words.begin(), static_cast<std::ptrdiff_t>(begin)),
+          std::next(words.begin(), static_cast<std::ptrdiff_t>(end))};
+}
+
+std::string written(const std::vector<std::string>& words) {
+  std::string result;
+  for (const auto& word : words) {
+    if (word == "n't" && result.ends_with("can"))
+      result.pop_back();
+    const bool is_joined = word == "," || word == "n't" || word.starts_with('\'');
+    result += (result.empty() || is_joined ? "" : " ") + (word == "i" ? std::string{"I"} : word);
+  }
+  while (result.ends_with(',') || result.ends_with(' '))
+    result.pop_back();
+  return result;
+}
+
+DialogueMove move_of(const PackedLogicalForm& form, const Lexicon& lexicon) {
+  DialogueMove result;
+  take_readings(form, result);
+  take_requests(result, lexicon.meanings());
+  return result;
+}
+
+bool is_thing_phrase(const PackedLogicalForm& form) {
+  const auto said = unpack(form, form.readings.front().id).front();
+  const auto& root = *find_nominal(said, said.root);
+  return root.sort == "thing" && !is_pronoun(root);
+}
+
+} // namespace castor::communication

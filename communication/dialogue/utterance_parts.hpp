@@ -1,0 +1,24 @@
+#pragma once
+
+#include "castor/communication/parsing/lexicon.hpp"
+#include "castor/communication/types.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// Parts of an utterance, as they are said, and what they are.
+namespace castor::communication {
+
+std::vector<std::string> words_between(const std::vector<std::string>& words, std::size_t begin,
+                                       std::size_t end);
+
+/// As it is written: "I can't", in one text.
+std::string written(const std::vector<std::string>& words);
+
+DialogueMove move_of(const PackedLogicalForm& form, const Lexicon& lexicon);
+
+/// Whether it is said of a thing, and by no pronoun: "the red ball".
+bool is_thing_phrase(const PackedLogicalForm& form);
+
+} // namespace castor::communication
