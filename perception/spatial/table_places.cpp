@@ -150,12 +150,8 @@ double TablePlaces::least_gap(std::size_t object, const GroundPoint& centre) con
   return result;
 }
 
-TablePlaces::Reach TablePlaces::reach_of(const GroundPoint& centre) const {
-  if (!options_.reaches || options_.reaches(centre))
-    return Reach::direct;
-  if (options_.reaches_by_stop && options_.reaches_by_stop(centre))
-    return Reach::by_stop;
-  return options_.may_reach && options_.may_reach(centre) ? Reach::perhaps : Reach::none;
+Reach TablePlaces::reach_of(const GroundPoint& centre) const {
+  return options_.reach ? options_.reach(centre) : Reach::direct;
 }
 
 PlacesFound TablePlaces::on_top(std::size_t object, std::span<const PlaceWanted> places) const {

@@ -53,13 +53,9 @@ struct PlacingOptions {
   /// Where things are put is so far inside of what is wanted, if possible, metres: hands and eyes
   /// are not exact.
   double inaccuracy = 0.015;
-  /// Whether the object that is to be put somewhere can be put at a point; everywhere, if not set.
-  std::function<bool(const GroundPoint&)> reaches = {};
-  /// Whether it can if it is put down on its way, to be held in another way; nowhere, if not set.
-  /// Such places come after those that it can be put at directly.
-  std::function<bool(const GroundPoint&)> reaches_by_stop = {};
-  /// Whether that is not known, but may be; nowhere, if not set. Such places are the last.
-  std::function<bool(const GroundPoint&)> may_reach = {};
+  /// How the object that is to be put somewhere can be put at a point; directly, if not set. Places
+  /// are the later the less likely they are possible.
+  std::function<Reach(const GroundPoint&)> reach = {};
 };
 
 /// Places found, the best first, or the reason why there are none.
@@ -98,9 +94,6 @@ public:
                    std::size_t count = 1) const;
 
 private:
-  /// The more likely, the less.
-  enum class Reach { direct, by_stop, perhaps, none };
-
   Reach reach_of(const GroundPoint& centre) const;
   double fit_to_landmark(const PlaceWanted& place, std::size_t object,
                          const GroundPoint& centre) const;

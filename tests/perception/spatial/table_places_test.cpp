@@ -158,9 +158,10 @@ TEST(TablePlaces, NarrowStripAtTheEdge) {
 /// neither directly nor with a stop, and what is beside it is tried as well.
 TEST(TablePlaces, PlacesWithAStopBetweenAreCloseAndBeforeThoseThatAreUncertain) {
   PlacingOptions options;
-  options.reaches = [](const GroundPoint&) { return false; };
-  options.reaches_by_stop = [](const GroundPoint& at) { return at.y < -0.06 && at.y > -0.12; };
-  options.may_reach = [](const GroundPoint&) { return true; };
+  const auto is_in_front = [](const GroundPoint& at) { return at.y < -0.06 && at.y > -0.12; };
+  options.reach = [&](const GroundPoint& at) {
+    return is_in_front(at) ? Reach::by_stop : Reach::perhaps;
+  };
   const TablePlaces table{three, seat, options};
   const std::vector<PlaceWanted> wanted{PlaceWanted{"front", {blue_box}}};
   const auto found = table.find(red_ball, wanted, 3);
@@ -170,7 +171,9 @@ TEST(TablePlaces, PlacesWithAStopBetweenAreCloseAndBeforeThoseThatAreUncertain) 
     EXPECT_LT(distance(x.position, found.targets.front().position), 0.09);
   }
   // One by one, those that it can be put at directly are as far apart as two of its kind.
-  options.reaches = options.reaches_by_stop;
+  options.reach = [&](const GroundPoint& at) {
+    return is_in_front(at) ? Reach::direct : Reach::perhaps;
+  };
   const auto direct = TablePlaces{three, seat, options}.find(red_ball, wanted, 2);
   ASSERT_EQ(direct.targets.size(), 2U);
   EXPECT_GE(distance(direct.targets[0].position, direct.targets[1].position), 0.08 - 1e-9);
