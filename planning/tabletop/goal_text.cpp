@@ -29,6 +29,15 @@ bool is_subject(std::string_view goal, std::string_view thing) {
   return false;
 }
 
+std::string_view waypoint_wanted(std::string_view goal, std::string_view thing) {
+  const auto head = "(= (pos " + std::string{thing} + ") ";
+  const auto at = goal.find(head);
+  if (at == std::string_view::npos)
+    return {};
+  const auto begin = at + head.size();
+  return goal.substr(begin, goal.find(')', begin) - begin);
+}
+
 std::vector<std::string> parts_in(std::string_view goal) {
   constexpr std::string_view head = "(in-part ";
   std::set<std::string> result;

@@ -33,4 +33,11 @@ TEST(PartsIn, AreNoArrangementsAndNoPlacesOnThings) {
     testing::ElementsAre("left"));
 }
 
+TEST(WaypointWanted, IsThatOfTheThing) {
+  constexpr auto goal = "(and (= (pos ball) place-1) (= (pos box) place-12) (near disc box))";
+  EXPECT_EQ(waypoint_wanted(goal, "ball"), "place-1");
+  EXPECT_EQ(waypoint_wanted(goal, "box"), "place-12");
+  EXPECT_EQ(waypoint_wanted(goal, "disc"), "");
+}
+
 } // namespace castor::planning
