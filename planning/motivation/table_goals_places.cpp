@@ -77,7 +77,7 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement, const std::str
     return refusal("A circle takes three things at least.");
   if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
     return refusal("I hold " + (*held)->words + ". Tell me to put it down first.");
-  spots_ = arranged(arrangement, things_, table_, side);
+  spots_ = arranged(arrangement, things_, room_, side);
   if (spots_.empty())
     return refusal("There is no room to put them " + words +
                    ". Take something away first, or tell me fewer things.");
@@ -112,6 +112,8 @@ TableGoal TableGoalMaker::put_where_another_is(const DirectivePlace& place,
     return refusal("I do not know where " + other->words + " was before.");
   if (other->is_held && !was)
     return refusal("I hold " + other->words + ". Tell me to put it down first.");
+  if (!was && !room_.can_be_put(x, place_of(*other)))
+    return refusal(beyond_reach(x, *other));
   facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
   ++places_;
   return goal(verb + " where " + other->words + (was ? " was" : " is"),
@@ -128,6 +130,8 @@ std::optional<std::string> TableGoalMaker::put_further(const Shift& shift, doubl
     TableSpot spot{"spot-of-" + x->object, x->x + length * shift.x, x->y + length * shift.y};
     if (!is_on_table(spot.x, spot.y))
       return "There " + x->words + " would not be on the table any more.";
+    if (!room_.can_be_put(*x, {spot.x, spot.y}))
+      return "I do not reach there with " + x->words + ".";
     for (const auto& other : table_)
       if (!other.is_held && std::ranges::find(things_, &other) == things_.end() &&
           std::hypot(other.x - spot.x, other.y - spot.y) < other.radius + x->radius)
@@ -194,6 +198,11 @@ std::optional<std::string> TableGoalMaker::put_at_landmarks(const DirectivePlace
         facts_.push_back(head + ' ' + landmark->object + ')');
   }
   return std::nullopt;
+}
+
+/// The place of another thing is so for it.
+std::string TableGoalMaker::beyond_reach(const TableThing& x, const TableThing& other) const {
+  return "I cannot put " + x.words + " where " + other.words + " is: I do not reach there with it.";
 }
 
 std::optional<std::string> TableGoalMaker::put_on(const Things& landmarks) const {

@@ -60,7 +60,7 @@ std::optional<std::string> TableGoalMaker::put_at_spot(const DirectivePlace& pla
     words += ' ' + listed(landmarks);
   if (place.relation == "equidistant")
     words = " as far from " + landmarks.front()->words + " as from " + landmarks.back()->words;
-  auto spot = measured_spot(place.relation, place.distance, x, landmarks, table_);
+  auto spot = measured_spot(place.relation, place.distance, x, landmarks, room_);
   if (!spot)
     return "There is no room for " + x.words + words + ".";
   facts_.push_back("(= (pos " + x.object + ") " + spot->name + ')');
@@ -77,7 +77,7 @@ TableGoal TableGoalMaker::put_on_both_sides(const DirectivePlace& place) {
     return refusal("I can put two things on both sides of one.");
   if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
     return refusal("I hold " + (*held)->words + ". Tell me to put it down first.");
-  spots_ = both_sides(things_, *middle, table_);
+  spots_ = both_sides(things_, *middle, room_);
   const auto words = "on both sides of " + middle->words;
   if (spots_.empty())
     return refusal("There is no room for them " + words + '.');

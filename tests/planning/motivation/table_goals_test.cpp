@@ -79,6 +79,24 @@ TEST(TableGoals, SwappedThingsAreWhereTheOtherWas) {
             "(and (= (pos a) at-b) (= (pos b) at-a))");
 }
 
+/// Nothing is moved, rather than one of them in vain.
+TEST(TableGoals, WhatIsOutOfReachIsSaidBeforeAnythingIsMoved) {
+  const auto reach = [](const TableThing& x, double at, double) {
+    return x.object == "b" && at < 0 ? spatial::Reach::none : spatial::Reach::direct;
+  };
+  for (const auto& both : {std::vector<std::string>{"p/a", "p/b"}, {"p/b", "p/a"}}) {
+    const auto goal = goal_of({"Swap", both, 0, {}, {}}, table, reach);
+    EXPECT_EQ(goal.wish, TableWish::refusal);
+    EXPECT_EQ(goal.words, "I cannot put the blue ball where the red ball is: I do not reach there "
+                          "with it.");
+  }
+  EXPECT_EQ(goal_of({"Swap", {"p/a", "p/c"}, 0, {}, {}}, table, reach).wish, TableWish::goal);
+  EXPECT_EQ(goal_of({"Put", {"p/b"}, 0, {{"where", {"p/c"}}}, {}}, table, reach).words,
+            "I cannot put the blue ball where the red box is: I do not reach there with it.");
+  EXPECT_EQ(goal_of({"Put", {"p/b"}, 0, {{"further-left", {}, 0.15}}, {}}, table, reach).words,
+            "I do not reach there with the blue ball.");
+}
+
 TEST(TableGoals, BackIsWhereItWasBefore) {
   EXPECT_EQ(formula({"PutBack", {"p/c"}, 0, {}, {}}), "(and (= (pos c) at-old))");
   EXPECT_EQ(refused({"PutBack", {"p/a"}, 0, {}, {}}),
