@@ -78,6 +78,16 @@ double TablePlaces::between(const PlaceWanted& place, const GroundPoint& centre)
   return std::min(1 - std::abs(share - 0.5) / 0.35, 1 - beside / (length / 4));
 }
 
+/// Along the way as the viewer sees it, and along the table: what stands in front of a thing at the
+/// left is not left of it, though a viewer who is near may see it so. Above 0.5 within half a right
+/// angle to each side.
+double TablePlaces::side_fit(SpatialRelation way, const GroundPoint& centre,
+                             const GroundPoint& landmark) const {
+  const GroundPoint straight_before{landmark.x, landmark.y - 1};
+  return std::min(angle_fit(way, centre, landmark, viewer_),
+                  angle_fit(way, centre, landmark, straight_before));
+}
+
 double TablePlaces::fit_to_landmark(const PlaceWanted& place, std::size_t object,
                                     const GroundPoint& centre) const {
   if (place.relation == "between")
@@ -95,9 +105,8 @@ double TablePlaces::fit_to_landmark(const PlaceWanted& place, std::size_t object
     else if (place.relation == "on")
       fit = distance(centre, x.centre) < x.radius ? 1 : 0;
     else if (const auto way = direction(place.relation))
-      // Half a right angle to each side.
-      fit = (2 * angle_fit(*way, centre, x.centre, viewer_) - 1) *
-            std::max(1 - distance(centre, x.centre), 0.1);
+      fit =
+        (2 * side_fit(*way, centre, x.centre) - 1) * std::max(1 - distance(centre, x.centre), 0.1);
     else
       throw std::invalid_argument("there is no place '" + place.relation + "' of something");
     worst = std::min(worst, fit);

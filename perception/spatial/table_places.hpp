@@ -68,8 +68,8 @@ struct PlacesFound {
 };
 
 /// Finds where on a table something can be put, so that it is in a relation to others. Directions
-/// are those of potential fields (Kelleher and Costello 2006) without distractors: another thing
-/// only takes the room that it stands on.
+/// are those of potential fields (Kelleher and Costello 2006) without distractors - another thing
+/// only takes the room that it stands on - and those of the table as well.
 class TablePlaces {
 public:
   TablePlaces(std::span<const TableObject> objects, GroundPoint viewer,
@@ -97,6 +97,8 @@ private:
   Reach reach_of(const GroundPoint& centre) const;
   double fit_to_landmark(const PlaceWanted& place, std::size_t object,
                          const GroundPoint& centre) const;
+  double side_fit(SpatialRelation way, const GroundPoint& centre,
+                  const GroundPoint& landmark) const;
   double nearness(std::size_t object, const GroundPoint& centre, std::size_t landmark) const;
   double between(const PlaceWanted& place, const GroundPoint& centre) const;
   double least_gap(std::size_t object, const GroundPoint& centre) const;

@@ -41,6 +41,23 @@ TEST(TablePlaces, DirectionsAreThoseOfTheViewer) {
   EXPECT_FALSE(table.holds({"right", {blue_box}}, red_ball));
 }
 
+/// To a viewer who is near, what is in front of a thing at a side seems to be beside it.
+TEST(TablePlaces, DirectionsAreThoseOfTheTableAsWell) {
+  constexpr GroundPoint near_seat{0, -0.34};
+  for (const double side : {-1.0, 1.0}) {
+    const std::vector<TableObject> objects{{{side * 0.20, -0.24}, 0.03},
+                                           {{side * 0.16, -0.09}, 0.03}};
+    const TablePlaces table{objects, near_seat};
+    const PlaceWanted beside{side < 0 ? "left" : "right", {1}};
+    EXPECT_GT(angle_fit(side < 0 ? SpatialRelation::left : SpatialRelation::right,
+                        objects[0].centre, objects[1].centre, near_seat),
+              0.5);
+    EXPECT_FALSE(table.holds(beside, 0));
+    const auto at = place_of(table, 0, beside);
+    EXPECT_GT(side * at.x - 0.16, std::abs(at.y + 0.09));
+  }
+}
+
 TEST(TablePlaces, NothingIsPutWhereAnotherThingStands) {
   const TablePlaces table{three, seat};
   for (const auto* relation : {"left", "right", "front", "back", "near"}) {
