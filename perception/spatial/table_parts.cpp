@@ -107,7 +107,7 @@ std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
      {"corner", std::min(std::max(left, right), std::max(front, back))},
      {"centre",
       1 - std::hypot(centre.x - middle.x, centre.y - middle.y) / (radius + 1.5 * edge_width)},
-     {"at-hand", 1 - gap.front / hand_reach},
+     {"at-hand", 1 - std::hypot(centre.x - middle.x, gap.front) / hand_reach},
      {"table", 1}}};
   for (const auto& [name, fit] : fits)
     if (name == part)

@@ -122,6 +122,22 @@ TEST(TablePlaces, PartsOfTheTable) {
   EXPECT_THROW(table.find(red_ball, std::vector{PlaceWanted{"attic", {}}}), std::invalid_argument);
 }
 
+/// As near to the middle of the front edge as the arm reaches.
+TEST(TablePlaces, AtHandIsBeforeWhoSitsThere) {
+  const std::vector<TableObject> objects{{{-0.16, 0.05}, 0.03}};
+  const PlaceWanted at_hand{"at-hand", {}};
+  const auto anywhere = place_of(TablePlaces{objects, seat}, 0, at_hand);
+  EXPECT_LT(std::abs(anywhere.x), 0.05);
+  EXPECT_LT(anywhere.y, -0.15);
+  // An arm that stands there does not reach what is right before it.
+  PlacingOptions options;
+  options.reach = [](const GroundPoint& x) {
+    return distance(x, {0, -0.26}) > 0.15 ? Reach::direct : Reach::none;
+  };
+  const auto reached = place_of(TablePlaces{objects, seat, options}, 0, at_hand);
+  EXPECT_LT(distance(reached, {0, -0.26}), 0.18);
+}
+
 /// It goes straight to the side, as far as there is room, and clearly onto it.
 TEST(TablePlaces, ToASideOfTheTableIsStraightThere) {
   const std::vector<TableObject> objects{
