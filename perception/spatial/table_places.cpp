@@ -251,8 +251,8 @@ double TablePlaces::worst_fit(std::span<const PlaceWanted> places, std::size_t o
   return result;
 }
 
-/// Of what is to go to one side of the table only: how far it would go to another, and how little
-/// it would be on that one.
+/// Of what is to go to one side of the table only: how far it would go to another, unless it is to
+/// be in the middle, and how little it would be on that one.
 double TablePlaces::off_side(std::span<const PlaceWanted> places, const GroundPoint& from,
                              const GroundPoint& centre) const {
   constexpr double aside_share = 1;
@@ -262,7 +262,9 @@ double TablePlaces::off_side(std::span<const PlaceWanted> places, const GroundPo
                      : std::nullopt;
   if (!way)
     return 0;
-  const double aside = std::abs((centre.x - from.x) * way->y - (centre.y - from.y) * way->x);
+  const double aside = is_middle_of_side(places.front().relation)
+                         ? 0
+                         : std::abs((centre.x - from.x) * way->y - (centre.y - from.y) * way->x);
   return aside_share * aside + unclear_share * (1 - clearness_on_side(*way, options_.area, centre));
 }
 

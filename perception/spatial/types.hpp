@@ -95,8 +95,8 @@ struct SpatialRelationshipTargetQuery {
 };
 
 /// Where something is to be: in a relation to landmarks (near, left, right, front, back, between,
-/// on, away), or in a part of the table (left, left-edge, front-left-corner, centre, edge, corner,
-/// elsewhere, table, strip-1-of-3).
+/// on, away), or in a part of the table (left, left-edge, front-left-corner, centre, front-middle,
+/// edge, corner, elsewhere, table, strip-1-of-3).
 struct WantedPlace {
   std::string relation;
   /// Ids of SpatialLocations.

@@ -17,6 +17,21 @@ bool is_round(const TableThing& x) {
   return shape != x.qualities.end() && shape->second == "sphere";
 }
 
+/// "At the front, in the middle": parts that are said together are met together.
+std::vector<communication::DirectivePlace>
+with_middles_of_sides(std::vector<communication::DirectivePlace> places) {
+  const auto is_centre = [](const auto& x) { return x.relation == "centre"; };
+  const auto centre = std::ranges::find_if(places, is_centre);
+  const auto side = std::ranges::find_if(places, [](const auto& x) {
+    return x.landmarks.empty() && !words_for(part_words, x.relation + "-middle").empty();
+  });
+  if (centre == places.end() || side == places.end())
+    return places;
+  side->relation += "-middle";
+  places.erase(centre);
+  return places;
+}
+
 bool is_measured_place(const communication::DirectivePlace& x) {
   return is_measured(x.relation, x.landmarks.empty() ? 0 : x.distance);
 }
@@ -27,12 +42,12 @@ TableGoal TableGoalMaker::put() {
   choose();
   const auto verb = (step_.action == "Push" ? "push " : "put ") + listed(things_);
   std::string where;
-  const auto part = std::ranges::find_if(step_.places, [](const DirectivePlace& x) {
-    return !words_for(part_words, x.relation).empty();
-  });
-  for (const auto& place : step_.places) {
+  const auto places = with_middles_of_sides(step_.places);
+  const auto part = std::ranges::find_if(
+    places, [](const DirectivePlace& x) { return !words_for(part_words, x.relation).empty(); });
+  for (const auto& place : places) {
     if (communication::is_arrangement(place.relation)) {
-      if (part == step_.places.end())
+      if (part == places.end())
         return arrange(place.relation);
       auto goal = arrange(place.relation, part->relation);
       if (goal.wish == TableWish::goal)

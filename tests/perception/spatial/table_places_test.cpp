@@ -122,6 +122,26 @@ TEST(TablePlaces, PartsOfTheTable) {
   EXPECT_THROW(table.find(red_ball, std::vector{PlaceWanted{"attic", {}}}), std::invalid_argument);
 }
 
+TEST(TablePlaces, TheMiddleOfASideIsThereAndNotAtTheTablesMiddle) {
+  const TablePlaces table{three, seat};
+  for (const double side : {-1.0, 1.0}) {
+    const auto across = place_of(table, blue_box, {side < 0 ? "front-middle" : "back-middle", {}});
+    EXPECT_GT(side * across.y, 0.06);
+    EXPECT_LT(std::abs(across.x), 0.06);
+    const auto along = place_of(table, blue_box, {side < 0 ? "left-middle" : "right-middle", {}});
+    EXPECT_GT(side * along.x, 0.06);
+    EXPECT_LT(std::abs(along.y), 0.06);
+  }
+  const auto edge = place_of(table, red_ball, {"front-edge-middle", {}});
+  EXPECT_LT(edge.y, -0.26 + 0.03 + edge_width);
+  EXPECT_LT(std::abs(edge.x), 0.05);
+  EXPECT_FALSE(table.holds({"front-middle", {}}, blue_box));
+  EXPECT_FALSE(table.holds({"left-edge-middle", {}}, red_ball));
+  EXPECT_TRUE(table.holds({"left-middle", {}}, red_ball));
+  EXPECT_THROW(table.find(red_ball, std::vector{PlaceWanted{"attic-middle", {}}}),
+               std::invalid_argument);
+}
+
 /// As near to the middle of the front edge as the arm reaches.
 TEST(TablePlaces, AtHandIsBeforeWhoSitsThere) {
   const std::vector<TableObject> objects{{{-0.16, 0.05}, 0.03}};

@@ -54,6 +54,21 @@ TEST(TableGoals, ToPutIsToBeThere) {
             "The red ball and the blue ball are to the right of the red box now.");
 }
 
+TEST(TableGoals, ASideAndTheMiddleAreTheMiddleOfThatSide) {
+  for (const auto& places :
+       {std::vector<communication::DirectivePlace>{{"front", {}}, {"centre", {}}},
+        {{"centre", {}}, {"front", {}}}}) {
+    const auto goal = goal_of({"Put", {"p/b"}, 0, places, {}}, table);
+    EXPECT_EQ(goal.formula, "(and (in-part b front-middle))");
+    EXPECT_EQ(goal.words, "put the blue ball at the front in the middle");
+  }
+  EXPECT_EQ(formula({"Put", {"p/b"}, 0, {{"left-edge", {}}, {"centre", {}}}, {}}),
+            "(and (in-part b left-edge-middle))");
+  // Between others it is not.
+  EXPECT_EQ(formula({"Put", {"p/b"}, 0, {{"centre", {}}, {"left", {"p/a"}}}, {}}),
+            "(and (in-part b centre) (left-of b a))");
+}
+
 TEST(TableGoals, SortingGivesAStripToEachValue) {
   EXPECT_EQ(formula({"Sort", {"p/a", "p/b", "p/c"}, 0, {}, "colour"}),
             "(and (in-part a strip-1-of-2) (in-part c strip-1-of-2) (in-part b strip-2-of-2))");
