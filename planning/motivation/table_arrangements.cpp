@@ -143,11 +143,16 @@ Offsets apart(const Things& things, const TablePoint& middle, double factor) {
   return result;
 }
 
-/// Whether that is clearly on a side of the table; everything is on none.
+/// So far from the middle of the table a row or a column may be that goes through it, metres.
+constexpr double through_middle = 0.03;
+
+/// Whether that is clearly on a side of the table, or on a line through its middle; everything is
+/// on none.
 bool is_on_side(double x, double y, double radius, std::string_view side) {
   const double least = radius + clearly_beyond;
   return side.empty() || (side == "left" && x <= -least) || (side == "right" && x >= least) ||
          (side == "front" && y <= -least) || (side == "back" && y >= least) ||
+         (side == "centre" && std::min(std::abs(x), std::abs(y)) <= through_middle) ||
          (side == "left-edge" && x <= -edge_beside) || (side == "right-edge" && x >= edge_beside) ||
          (side == "front-edge" && y <= -edge_beyond) || (side == "back-edge" && y >= edge_beyond);
 }

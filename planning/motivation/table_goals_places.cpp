@@ -49,13 +49,14 @@ TableGoal TableGoalMaker::put() {
     if (communication::is_arrangement(place.relation)) {
       if (part == places.end())
         return arrange(place.relation);
-      auto goal = arrange(place.relation, part->relation);
+      const auto side = part->relation.substr(0, part->relation.find("-middle"));
+      auto goal = arrange(place.relation, side);
       if (goal.wish == TableWish::goal)
         return goal;
       // Where no row has room at an edge, it may have room on that side.
-      const auto edge = part->relation.find("-edge");
+      const auto edge = side.find("-edge");
       if (edge != std::string::npos)
-        goal = arrange(place.relation, part->relation.substr(0, edge));
+        goal = arrange(place.relation, side.substr(0, edge));
       if (goal.wish == TableWish::goal)
         return goal;
       // "In a row along the edge": at an edge they are in a row.

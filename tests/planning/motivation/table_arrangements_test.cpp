@@ -118,6 +118,17 @@ TEST(TableArrangements, ThingsThatAreSpreadAreFartherFromEachOther) {
   EXPECT_NEAR(gap(spread[0], spread[1]), 0.2, 1e-9);
 }
 
+TEST(TableArrangements, ARowInTheMiddleGoesThroughIt) {
+  const std::vector table{thing_at("a", -0.15, 0.12), thing_at("b", 0, 0.12),
+                          thing_at("c", 0.15, 0.12)};
+  const auto row = arranged("in-row", first(table, 3), TableRoom{table}, "centre");
+  ASSERT_EQ(row.size(), 3U);
+  EXPECT_LE(std::abs(row[0].y), 0.03);
+  const auto column = arranged("in-column", first(table, 3), TableRoom{table}, "centre");
+  ASSERT_EQ(column.size(), 3U);
+  EXPECT_LE(std::abs(column[0].x), 0.03);
+}
+
 TEST(TableArrangements, NothingStandsOverTheEdge) {
   std::vector<TableThing> table;
   for (int i = 0; i < 6; ++i)
