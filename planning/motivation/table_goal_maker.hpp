@@ -81,9 +81,12 @@ private:
   TableGoal put_on_both_sides(const DirectivePlace& place);
   const TableThing* top_of_stack() const;
   std::optional<std::string> put_on_top(std::string& where);
+  TableGoal sort_in_row();
+
+  // -- corners (table_goals_corners.cpp)
+  TableGoal put_in_each_corner();
   std::string corner_for_all() const;
   std::optional<std::string> put_in_opposite_corner(std::string& where);
-  TableGoal sort_in_row();
 
   const DirectiveStep& step_;
   std::span<const TableThing> table_;

@@ -39,6 +39,10 @@ bool is_measured_place(const communication::DirectivePlace& x) {
 } // namespace
 
 TableGoal TableGoalMaker::put() {
+  // Whatever their number, a thing for each.
+  if (std::ranges::find(step_.places, "each-corner", &DirectivePlace::relation) !=
+      step_.places.end())
+    return put_in_each_corner();
   choose();
   const auto verb = (step_.action == "Push" ? "push " : "put ") + listed(things_);
   std::string where;

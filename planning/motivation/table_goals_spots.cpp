@@ -110,31 +110,6 @@ std::optional<std::string> TableGoalMaker::put_on_top(std::string& where) {
   return put_at_landmarks(place, where);
 }
 
-/// Several things go into one corner: the one nearest to them.
-std::string TableGoalMaker::corner_for_all() const {
-  double x = 0;
-  double y = 0;
-  for (const auto* thing : things_) {
-    x += thing->x;
-    y += thing->y;
-  }
-  return std::string{y < 0 ? "front" : "back"} + (x < 0 ? "-left" : "-right") + "-corner";
-}
-
-/// From that in which the last thing was put.
-std::optional<std::string> TableGoalMaker::put_in_opposite_corner(std::string& where) {
-  const auto last = std::ranges::find_if(table_, &TableThing::is_last_moved);
-  constexpr double corner_width = 0.1;
-  constexpr double corner_depth = 0.08;
-  if (last == table_.end() || last->is_held || std::abs(last->x) < corner_width ||
-      std::abs(last->y) < corner_depth)
-    return "I do not know opposite to which corner: tell me the corner.";
-  const DirectivePlace place{std::string{last->y < 0 ? "back" : "front"} +
-                               (last->x < 0 ? "-right" : "-left") + "-corner",
-                             {}};
-  return put_in_part(place, where);
-}
-
 /// In a row from left to right, by a measure of theirs.
 TableGoal TableGoalMaker::sort_in_row() {
   constexpr std::string_view down = "-down";

@@ -50,8 +50,8 @@ std::vector<std::string> parts_in(std::string_view goal) {
     // That it was given to somebody, too, is known by what was done.
     if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand" &&
         !part.starts_with("further-") && !part.starts_with("slightly-") && part != "on" &&
-        part != "on-top" && part != "roomiest" && part != "opposite-corner" && part != "some-way" &&
-        !communication::is_arrangement(part))
+        part != "on-top" && part != "each-corner" && part != "roomiest" &&
+        part != "opposite-corner" && part != "some-way" && !communication::is_arrangement(part))
       result.insert(std::move(part));
   }
   return {result.begin(), result.end()};

@@ -164,6 +164,32 @@ TEST(TableSpots, SeveralThingsGoIntoOneCorner) {
             "(and (in-part ball front-left-corner) (near disc ball))");
 }
 
+TEST(TableSpots, EachCornerHasAThingOfItsOwn) {
+  auto things = spotted();
+  things.push_back(made("cup", "cylinder", 0.0, 0.0));
+  const std::vector<std::string> all{"p/ball", "p/box", "p/disc", "p/can", "p/cup"};
+  DirectiveStep step{"Put", all, 0, {{"each-corner", {}}}, {}};
+  const auto goal = goal_of(step, things);
+  EXPECT_EQ(goal.formula, "(and (in-part disc front-left-corner) (in-part box front-right-corner) "
+                          "(in-part ball back-left-corner) (in-part can back-right-corner))")
+    << goal.words;
+  // "One thing" is one for each.
+  step.number = 1;
+  EXPECT_EQ(goal_of(step, things).formula, goal.formula);
+  EXPECT_EQ(goal.parts.size(), 4U);
+  // With fewer things, as many corners, and those that they can be put in.
+  const auto in_front = [](const TableThing&, double, double y) {
+    return y < 0 ? spatial::Reach::direct : spatial::Reach::none;
+  };
+  step.things = {"p/can", "p/ball"};
+  EXPECT_EQ(goal_of(step, things, in_front).formula,
+            "(and (in-part ball front-left-corner) (in-part can front-right-corner))");
+  step.things = all;
+  EXPECT_EQ(words_of(step, things), goal.words);
+  EXPECT_EQ(goal_of(step, things, in_front).words,
+            "I do not reach so many corners of the table with them.");
+}
+
 TEST(TableSpots, TheOppositeCornerIsThatOfWhatWasMovedLast) {
   auto things = spotted();
   const DirectiveStep step{"Put", {"p/disc"}, 0, {{"opposite-corner", {}}}, {}};

@@ -29,7 +29,7 @@ TEST(IsSubject, NotWhatAnotherIsPutAt) {
 
 TEST(PartsIn, AreNoArrangementsAndNoPlacesOnThings) {
   EXPECT_THAT(
-    parts_in("(and (in-part a left) (in-part a in-row) (in-part a apart) (in-part a on))"),
+    parts_in("(and (in-part a left) (in-part a in-row) (in-part a apart) (in-part a on) (in-part a each-corner))"),
     testing::ElementsAre("left"));
 }
 
