@@ -79,4 +79,28 @@ std::uint32_t ways_by_way_of(const ReachableTable& reach, double height, std::ui
   return result;
 }
 
+ReachOfThing::ReachOfThing(ReachableTable reach, double height, std::uint32_t ways)
+  : reach_(std::move(reach)), height_(height), ways_(ways),
+    ways_by_stop_(ways_by_way_of(reach_, height, ways)) {
+  // nop
+}
+
+Reach ReachOfThing::at(const GroundPoint& point) const {
+  const auto there = ways_at(reach_, point, height_);
+  if ((there & ways_) != 0)
+    return Reach::direct;
+  if ((there & ways_by_stop_) != 0)
+    return Reach::by_stop;
+  return ways_around(reach_, point, height_) != 0 ? Reach::perhaps : Reach::none;
+}
+
+std::vector<Reach> reach_on_squares(const ReachOfThing& thing, const ReachableTable& reach) {
+  std::vector<Reach> result;
+  for (std::uint32_t row = 0; row + 1 < reach.rows; ++row)
+    for (std::uint32_t column = 0; column + 1 < reach.columns; ++column)
+      result.push_back(thing.at(
+        {reach.low.x + (column + 0.5) * reach.step, reach.low.y + (row + 0.5) * reach.step}));
+  return result;
+}
+
 } // namespace castor::spatial

@@ -3,6 +3,7 @@
 #include "castor/perception/spatial/types.hpp"
 
 #include <cstdint>
+#include <vector>
 
 namespace castor::spatial {
 
@@ -18,5 +19,26 @@ std::uint32_t ways_around(const ReachableTable& reach, const GroundPoint& point,
 /// Ways in which it can be held at points where it can be held in one of these ways, too.
 /// \throws as ways_at
 std::uint32_t ways_by_way_of(const ReachableTable& reach, double height, std::uint32_t ways);
+
+/// How a thing can be put at points.
+class ReachOfThing {
+public:
+  /// @param ways in which it can be held where it is, or may be held already
+  ReachOfThing(ReachableTable reach, double height, std::uint32_t ways);
+
+  /// \throws as ways_at
+  Reach at(const GroundPoint& point) const;
+
+private:
+  ReachableTable reach_;
+  double height_;
+  std::uint32_t ways_;
+  /// As it can be held somewhere where it can also be held as it is here.
+  std::uint32_t ways_by_stop_;
+};
+
+/// How it can be put in the middle of each square between the points of the grid.
+/// \throws as ways_at
+std::vector<Reach> reach_on_squares(const ReachOfThing& thing, const ReachableTable& reach);
 
 } // namespace castor::spatial

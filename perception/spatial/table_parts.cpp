@@ -10,6 +10,11 @@ namespace castor::spatial {
 
 namespace {
 
+constexpr std::string_view middle_of = "-middle";
+
+/// How far from the middle of a side or an edge something may be that is said to be there, metres.
+constexpr double middle_width = 0.08;
+
 /// Signed distances from a disc's border, metres: positive inside.
 struct Gaps {
   double left = 0;
@@ -58,14 +63,31 @@ double fit_in_strip(const std::pair<int, int>& which, const TableArea& area,
   return 1 - std::abs(centre.x - middle) / (width / 2);
 }
 
+/// Both on the side and, along it, about in the middle.
+std::optional<double> fit_in_middle_of_side(std::string_view part, const TableArea& area,
+                                            const GroundPoint& centre, double radius) {
+  const auto way = way_to_side(part);
+  const auto side = part.substr(0, part.size() - middle_of.size());
+  const auto fit = fit_in_part(side, area, centre, radius);
+  if (!way || !fit)
+    return std::nullopt;
+  const auto middle = area.middle();
+  const double along = way->x == 0 ? centre.x - middle.x : centre.y - middle.y;
+  return std::min(*fit, 1 - std::abs(along) / middle_width);
+}
+
 } // namespace
+
+bool is_middle_of_side(std::string_view part) {
+  return part.ends_with(middle_of);
+}
 
 std::optional<GroundPoint> way_to_side(std::string_view part) {
   constexpr std::array<std::pair<std::string_view, GroundPoint>, 4> ways{
     {{"left", {-1, 0}}, {"right", {1, 0}}, {"front", {0, -1}}, {"back", {0, 1}}}};
-  constexpr std::string_view edge = "-edge";
-  if (part.ends_with(edge))
-    part.remove_suffix(edge.size());
+  for (const std::string_view end : {middle_of, std::string_view{"-edge"}})
+    if (part.ends_with(end))
+      part.remove_suffix(end.size());
   for (const auto& [name, way] : ways)
     if (name == part)
       return way;
@@ -83,6 +105,8 @@ double clearness_on_side(const GroundPoint& way, const TableArea& area, const Gr
 
 std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
                                   const GroundPoint& centre, double radius) {
+  if (is_middle_of_side(part))
+    return fit_in_middle_of_side(part, area, centre, radius);
   const auto gap = gaps(area, centre, radius);
   const auto middle = area.middle();
   const double nearest = std::min({gap.left, gap.right, gap.front, gap.back});
@@ -107,7 +131,7 @@ std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
      {"corner", std::min(std::max(left, right), std::max(front, back))},
      {"centre",
       1 - std::hypot(centre.x - middle.x, centre.y - middle.y) / (radius + 1.5 * edge_width)},
-     {"at-hand", 1 - gap.front / hand_reach},
+     {"at-hand", 1 - std::hypot(centre.x - middle.x, gap.front) / hand_reach},
      {"table", 1}}};
   for (const auto& [name, fit] : fits)
     if (name == part)

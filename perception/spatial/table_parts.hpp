@@ -18,18 +18,22 @@ struct TableArea {
 /// How far from an edge something may end that is said to be at it, metres.
 inline constexpr double edge_width = 0.06;
 
-/// How far from the front edge somebody who sits there reaches with ease, metres.
+/// How far from the middle of the front edge somebody who sits there reaches with ease, metres.
 inline constexpr double hand_reach = 0.35;
 
 /// How well a disc of some radius, metres, is in a part of the table: from above 0, where it is at
 /// the part's border, to 1 and more; 0 or less if it is not. Nothing for what is no part. Parts are
-/// left, right, front, back, left-edge ..., edge, front-left-corner ..., corner, centre, table,
-/// at-hand, the better the nearer to the front, and strip-I-of-N: the I-th of N strips, from the
-/// left.
+/// left, right, front, back, left-edge ..., their middles, such as front-middle, edge,
+/// front-left-corner ..., corner, centre, table, at-hand, the better the nearer to the middle of
+/// the front edge, and strip-I-of-N: the I-th of N strips, from the left.
 std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
                                   const GroundPoint& centre, double radius);
 
-/// The way to a side of the table, or to its edge, of length 1; nothing for other parts.
+/// "At the front in the middle", "in the middle of the front edge".
+bool is_middle_of_side(std::string_view part);
+
+/// The way to a side of the table, to its edge, or to the middle of either, of length 1; nothing
+/// for other parts.
 std::optional<GroundPoint> way_to_side(std::string_view part);
 
 /// How clearly a point is on that side: 0 in the middle of the table, 1 from some way towards its

@@ -78,6 +78,16 @@ double TablePlaces::between(const PlaceWanted& place, const GroundPoint& centre)
   return std::min(1 - std::abs(share - 0.5) / 0.35, 1 - beside / (length / 4));
 }
 
+/// Along the way as the viewer sees it, and along the table: what stands in front of a thing at the
+/// left is not left of it, though a viewer who is near may see it so. Above 0.5 within half a right
+/// angle to each side.
+double TablePlaces::side_fit(SpatialRelation way, const GroundPoint& centre,
+                             const GroundPoint& landmark) const {
+  const GroundPoint straight_before{landmark.x, landmark.y - 1};
+  return std::min(angle_fit(way, centre, landmark, viewer_),
+                  angle_fit(way, centre, landmark, straight_before));
+}
+
 double TablePlaces::fit_to_landmark(const PlaceWanted& place, std::size_t object,
                                     const GroundPoint& centre) const {
   if (place.relation == "between")
@@ -95,9 +105,8 @@ double TablePlaces::fit_to_landmark(const PlaceWanted& place, std::size_t object
     else if (place.relation == "on")
       fit = distance(centre, x.centre) < x.radius ? 1 : 0;
     else if (const auto way = direction(place.relation))
-      // Half a right angle to each side.
-      fit = (2 * angle_fit(*way, centre, x.centre, viewer_) - 1) *
-            std::max(1 - distance(centre, x.centre), 0.1);
+      fit =
+        (2 * side_fit(*way, centre, x.centre) - 1) * std::max(1 - distance(centre, x.centre), 0.1);
     else
       throw std::invalid_argument("there is no place '" + place.relation + "' of something");
     worst = std::min(worst, fit);
@@ -150,12 +159,8 @@ double TablePlaces::least_gap(std::size_t object, const GroundPoint& centre) con
   return result;
 }
 
-TablePlaces::Reach TablePlaces::reach_of(const GroundPoint& centre) const {
-  if (!options_.reaches || options_.reaches(centre))
-    return Reach::direct;
-  if (options_.reaches_by_stop && options_.reaches_by_stop(centre))
-    return Reach::by_stop;
-  return options_.may_reach && options_.may_reach(centre) ? Reach::perhaps : Reach::none;
+Reach TablePlaces::reach_of(const GroundPoint& centre) const {
+  return options_.reach ? options_.reach(centre) : Reach::direct;
 }
 
 PlacesFound TablePlaces::on_top(std::size_t object, std::span<const PlaceWanted> places) const {
@@ -246,8 +251,8 @@ double TablePlaces::worst_fit(std::span<const PlaceWanted> places, std::size_t o
   return result;
 }
 
-/// Of what is to go to one side of the table only: how far it would go to another, and how little
-/// it would be on that one.
+/// Of what is to go to one side of the table only: how far it would go to another, unless it is to
+/// be in the middle, and how little it would be on that one.
 double TablePlaces::off_side(std::span<const PlaceWanted> places, const GroundPoint& from,
                              const GroundPoint& centre) const {
   constexpr double aside_share = 1;
@@ -257,7 +262,9 @@ double TablePlaces::off_side(std::span<const PlaceWanted> places, const GroundPo
                      : std::nullopt;
   if (!way)
     return 0;
-  const double aside = std::abs((centre.x - from.x) * way->y - (centre.y - from.y) * way->x);
+  const double aside = is_middle_of_side(places.front().relation)
+                         ? 0
+                         : std::abs((centre.x - from.x) * way->y - (centre.y - from.y) * way->x);
   return aside_share * aside + unclear_share * (1 - clearness_on_side(*way, options_.area, centre));
 }
 

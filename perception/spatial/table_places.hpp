@@ -53,13 +53,9 @@ struct PlacingOptions {
   /// Where things are put is so far inside of what is wanted, if possible, metres: hands and eyes
   /// are not exact.
   double inaccuracy = 0.015;
-  /// Whether the object that is to be put somewhere can be put at a point; everywhere, if not set.
-  std::function<bool(const GroundPoint&)> reaches = {};
-  /// Whether it can if it is put down on its way, to be held in another way; nowhere, if not set.
-  /// Such places come after those that it can be put at directly.
-  std::function<bool(const GroundPoint&)> reaches_by_stop = {};
-  /// Whether that is not known, but may be; nowhere, if not set. Such places are the last.
-  std::function<bool(const GroundPoint&)> may_reach = {};
+  /// How the object that is to be put somewhere can be put at a point; directly, if not set. Places
+  /// are the later the less likely they are possible.
+  std::function<Reach(const GroundPoint&)> reach = {};
 };
 
 /// Places found, the best first, or the reason why there are none.
@@ -72,8 +68,8 @@ struct PlacesFound {
 };
 
 /// Finds where on a table something can be put, so that it is in a relation to others. Directions
-/// are those of potential fields (Kelleher and Costello 2006) without distractors: another thing
-/// only takes the room that it stands on.
+/// are those of potential fields (Kelleher and Costello 2006) without distractors - another thing
+/// only takes the room that it stands on - and those of the table as well.
 class TablePlaces {
 public:
   TablePlaces(std::span<const TableObject> objects, GroundPoint viewer,
@@ -98,12 +94,11 @@ public:
                    std::size_t count = 1) const;
 
 private:
-  /// The more likely, the less.
-  enum class Reach { direct, by_stop, perhaps, none };
-
   Reach reach_of(const GroundPoint& centre) const;
   double fit_to_landmark(const PlaceWanted& place, std::size_t object,
                          const GroundPoint& centre) const;
+  double side_fit(SpatialRelation way, const GroundPoint& centre,
+                  const GroundPoint& landmark) const;
   double nearness(std::size_t object, const GroundPoint& centre, std::size_t landmark) const;
   double between(const PlaceWanted& place, const GroundPoint& centre) const;
   double least_gap(std::size_t object, const GroundPoint& centre) const;

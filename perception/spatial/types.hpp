@@ -95,8 +95,8 @@ struct SpatialRelationshipTargetQuery {
 };
 
 /// Where something is to be: in a relation to landmarks (near, left, right, front, back, between,
-/// on, away), or in a part of the table (left, left-edge, front-left-corner, centre, edge, corner,
-/// elsewhere, table, strip-1-of-3).
+/// on, away), or in a part of the table (left, left-edge, front-left-corner, centre, front-middle,
+/// edge, corner, elsewhere, table, strip-1-of-3).
 struct WantedPlace {
   std::string relation;
   /// Ids of SpatialLocations.
@@ -145,6 +145,35 @@ struct ReachableTable {
   friend bool operator==(const ReachableTable&, const ReachableTable&) = default;
 };
 
+/// How something can be put at a point: directly, if it is put down on its way, to be held in
+/// another way, perhaps, if it is not known, or not at all.
+enum class Reach { direct, by_stop, perhaps, none };
+
+/// How a thing can be put anywhere on a table.
+struct ThingReach {
+  /// The id of a SpatialLocation; empty for what an arm holds.
+  std::string thing;
+  /// Of what is held, metres.
+  double height = 0.05;
+  /// In the reply: in the middle of each square of a grid, by rows, then columns.
+  std::vector<Reach> squares = {};
+
+  friend bool operator==(const ThingReach&, const ThingReach&) = default;
+};
+
+/// A call: where on the table can things be put? In the reply, which is of the same type, no thing
+/// has squares if no arm has told where it reaches.
+struct ReachQuery {
+  std::vector<ThingReach> things;
+  /// Of the reply's grid: the outer corner of the first square, and the length of a side, metres.
+  GroundPoint low;
+  double step = 0;
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+
+  friend bool operator==(const ReachQuery&, const ReachQuery&) = default;
+};
+
 /// Something that is where it could have been wanted.
 struct HeldPlace {
   /// The id of a SpatialLocation.
@@ -178,6 +207,9 @@ CASTOR_REFLECT(WantedPlace, relation, landmarks)
 CASTOR_REFLECT(PlacementQuery, thing, places, requested_targets, scene, targets, on, reason, radius,
                height)
 CASTOR_REFLECT(ReachableTable, low, step, columns, rows, heights, ways, held_ways)
+CASTOR_REFLECT_ENUM(Reach, direct, by_stop, perhaps, none)
+CASTOR_REFLECT(ThingReach, thing, height, squares)
+CASTOR_REFLECT(ReachQuery, things, low, step, columns, rows)
 CASTOR_REFLECT(HeldPlace, thing, place)
 CASTOR_REFLECT(HeldPlacesQuery, parts, scene, held)
 

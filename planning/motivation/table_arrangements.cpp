@@ -6,18 +6,12 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace castor::planning {
 
 namespace {
-
-/// Where an arm at the table reaches, from its middle; metres.
-constexpr double half_width = 0.26;
-constexpr double half_depth = 0.16;
-
-/// Steps in which room is looked for, metres.
-constexpr double step = 0.02;
 
 /// Between neighbours in a line, if that is less to be moved, metres.
 constexpr double wide_gap = 0.06;
@@ -29,12 +23,8 @@ constexpr double clearly_beyond = 0.03;
 constexpr double edge_beside = 0.20;
 constexpr double edge_beyond = 0.13;
 
-struct Offset {
-  double x = 0;
-  double y = 0;
-};
-
-using Offsets = std::vector<Offset>;
+/// Of each thing from the middle of all.
+using Offsets = std::vector<TablePoint>;
 using Things = std::vector<const TableThing*>;
 
 /// Between the centres of neighbours.
@@ -45,8 +35,8 @@ double spacing(const Things& things) {
   return 2 * radius + finger_gap;
 }
 
-Offset middle_of(const Things& things) {
-  Offset sum;
+TablePoint middle_of(const Things& things) {
+  TablePoint sum;
   for (const auto* x : things) {
     sum.x += x->x;
     sum.y += x->y;
@@ -86,7 +76,7 @@ std::vector<double> on_line(const Things& things, const std::vector<std::size_t>
 /// With narrow and wider gaps.
 /// @param along the line, of length 1
 std::vector<Offsets> in_line(const Things& things, const std::vector<std::size_t>& rank,
-                             const Offset& along) {
+                             const TablePoint& along) {
   std::vector<Offsets> result;
   for (const double gap : {finger_gap, wide_gap}) {
     auto& offsets = result.emplace_back();
@@ -133,7 +123,7 @@ Offsets in_two_rows(const Things& things) {
   return result;
 }
 
-Offsets in_ring(const Things& things, const Offset& middle) {
+Offsets in_ring(const Things& things, const TablePoint& middle) {
   const auto rank =
     ranks(things, [&](const TableThing& t) { return std::atan2(t.y - middle.y, t.x - middle.x); });
   const double turn = 2 * std::numbers::pi / static_cast<double>(things.size());
@@ -146,61 +136,124 @@ Offsets in_ring(const Things& things, const Offset& middle) {
   return result;
 }
 
-Offsets apart(const Things& things, const Offset& middle, double factor) {
+Offsets apart(const Things& things, const TablePoint& middle, double factor) {
   Offsets result;
   for (const auto* x : things)
     result.push_back({factor * (x->x - middle.x), factor * (x->y - middle.y)});
   return result;
 }
 
-/// Whether that is clearly on a side of the table; everything is on none.
+/// So far from the middle of the table a row or a column may be that goes through it, metres.
+constexpr double through_middle = 0.03;
+
+/// Whether that is clearly on a side of the table, or on a line through its middle; everything is
+/// on none.
 bool is_on_side(double x, double y, double radius, std::string_view side) {
   const double least = radius + clearly_beyond;
   return side.empty() || (side == "left" && x <= -least) || (side == "right" && x >= least) ||
          (side == "front" && y <= -least) || (side == "back" && y >= least) ||
+         (side == "centre" && std::min(std::abs(x), std::abs(y)) <= through_middle) ||
          (side == "left-edge" && x <= -edge_beside) || (side == "right-edge" && x >= edge_beside) ||
          (side == "front-edge" && y <= -edge_beyond) || (side == "back-edge" && y >= edge_beyond);
 }
 
 /// What is asked for besides how they stand to each other.
 struct Wanted {
-  std::span<const TableThing> table;
+  const TableRoom& room;
   std::string_view side;
 };
 
-/// Whether all of them fit around a middle: on the table, and off what stands there now but the
-/// thing itself, since one is moved after the other.
-bool has_room(const Offset& middle, const Offsets& offsets, const Things& things,
-              const Wanted& wanted) {
-  constexpr double rounding = 1e-6;
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    const double x = middle.x + offsets[i].x;
-    const double y = middle.y + offsets[i].y;
-    if (std::abs(x) > half_width || std::abs(y) > half_depth ||
-        !is_on_side(x, y, things[i]->radius, wanted.side))
+double gap_between(const TablePoint& a, const TableThing& x, const TablePoint& b,
+                   const TableThing& y) {
+  return distance(a, b) - x.radius - y.radius;
+}
+
+/// Whether all things can be put at their places one after the other: each when those have left
+/// that stand there now.
+/// @param waits_for for each, indices of others
+bool have_order(std::vector<std::vector<std::size_t>> waits_for) {
+  for (std::size_t left = waits_for.size(); left > 0;) {
+    const auto next = std::ranges::find_if(waits_for, &std::vector<std::size_t>::empty);
+    if (next == waits_for.end())
       return false;
-    for (const auto& other : wanted.table)
-      if (&other != things[i] && !other.is_held &&
-          std::hypot(other.x - x, other.y - y) <
-            other.radius + things[i]->radius + finger_gap - rounding)
-        return false;
+    const auto moved = static_cast<std::size_t>(next - waits_for.begin());
+    // It has to wait for itself from now on, so that it is not found again.
+    *next = {moved};
+    for (std::size_t i = 0; i < waits_for.size(); ++i)
+      if (i != moved)
+        std::erase(waits_for[i], moved);
+    --left;
   }
   return true;
 }
 
-/// How much is to be moved, metres: those that are moved, how far, and to where arms reach less.
-double effort(const Offset& middle, const Offsets& offsets, const Things& things) {
-  constexpr double of_each = 0.1;
-  constexpr double of_back = 2;
-  double result = 0;
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    const double way =
-      std::hypot(middle.x + offsets[i].x - things[i]->x, middle.y + offsets[i].y - things[i]->y);
-    const double back = std::max(0.0, middle.y + offsets[i].y);
-    result += way < stands_right ? 0 : of_each + way + of_back * back;
+/// Things around a middle.
+class Placed {
+public:
+  Placed(const TablePoint& middle, const Offsets& offsets, const Things& things,
+         const Wanted& wanted)
+    : things_(things), wanted_(wanted) {
+    for (const auto& x : offsets)
+      at_.push_back({middle.x + x.x, middle.y + x.y});
   }
-  return result;
-}
+
+  /// How much is to be moved, metres: those that are moved, how far, and to where that is harder.
+  /// Nothing if they do not fit there: on the side, where they can be put, and off all others.
+  std::optional<double> effort() const {
+    constexpr double of_each = 0.1;
+    double result = 0;
+    std::vector<std::vector<std::size_t>> waits_for(things_.size());
+    for (std::size_t i = 0; i < things_.size(); ++i) {
+      if (!is_on_side(at_[i].x, at_[i].y, things_[i]->radius, wanted_.side) || !is_apart(i))
+        return std::nullopt;
+      if (stays(i))
+        continue;
+      const auto there = wanted_.room.effort(*things_[i], at_[i]);
+      if (!there || !is_free_of_others(i))
+        return std::nullopt;
+      result += of_each + distance(at_[i], place_of(*things_[i])) + *there;
+      for (std::size_t j = 0; j < things_.size(); ++j)
+        if (j != i && !stays(j) && is_too_near(i, place_of(*things_[j]), *things_[j]))
+          waits_for[i].push_back(j);
+    }
+    return have_order(std::move(waits_for)) ? std::optional{result} : std::nullopt;
+  }
+
+  std::vector<TableSpot> spots() const {
+    std::vector<TableSpot> result;
+    for (std::size_t i = 0; i < things_.size(); ++i)
+      result.push_back(spot_for(*things_[i], at_[i]));
+    return result;
+  }
+
+private:
+  bool stays(std::size_t i) const { return distance(at_[i], place_of(*things_[i])) < stands_right; }
+
+  bool is_too_near(std::size_t i, const TablePoint& at, const TableThing& other) const {
+    constexpr double rounding = 1e-6;
+    return gap_between(at_[i], *things_[i], at, other) < finger_gap - rounding;
+  }
+
+  /// From where the things before it are to be.
+  bool is_apart(std::size_t i) const {
+    for (std::size_t j = 0; j < i; ++j)
+      if (is_too_near(i, at_[j], *things_[j]))
+        return false;
+    return true;
+  }
+
+  /// From what is not moved.
+  bool is_free_of_others(std::size_t i) const {
+    return std::ranges::none_of(wanted_.room.things(), [&](const TableThing& x) {
+      return !x.is_held && std::ranges::find(things_, &x) == things_.end() &&
+             is_too_near(i, place_of(x), x);
+    });
+  }
+
+  const Things& things_;
+  const Wanted& wanted_;
+  std::vector<TablePoint> at_;
+};
 
 /// Of one of these arrangements, around the middle with the least effort where there is room for
 /// all.
@@ -208,22 +261,19 @@ std::vector<TableSpot> around(const std::vector<Offsets>& arrangements, const Th
                               const Wanted& wanted) {
   double least = std::numeric_limits<double>::infinity();
   std::vector<TableSpot> result;
-  const auto try_around = [&](const Offset& middle, const Offsets& offsets) {
-    const double needed = effort(middle, offsets, things);
-    if (needed >= least || !has_room(middle, offsets, things, wanted))
-      return;
-    least = needed;
-    result.clear();
-    for (std::size_t i = 0; i < things.size(); ++i)
-      result.push_back(
-        {"spot-of-" + things[i]->object, middle.x + offsets[i].x, middle.y + offsets[i].y});
+  const auto try_around = [&](const TablePoint& middle, const Offsets& offsets) {
+    const Placed placed(middle, offsets, things, wanted);
+    if (const auto needed = placed.effort(); needed && *needed < least) {
+      least = *needed;
+      result = placed.spots();
+    }
   };
   for (const auto& offsets : arrangements) {
     // One of them stays where it is.
     for (std::size_t i = 0; i < things.size(); ++i)
       try_around({things[i]->x - offsets[i].x, things[i]->y - offsets[i].y}, offsets);
-    for (double x = -half_width; x <= half_width; x += step)
-      for (double y = -half_depth; y <= half_depth; y += step)
+    for (double x = -table_half_width; x <= table_half_width; x += room_step)
+      for (double y = -table_half_depth; y <= table_half_depth; y += room_step)
         try_around({x, y}, offsets);
   }
   return result;
@@ -232,9 +282,9 @@ std::vector<TableSpot> around(const std::vector<Offsets>& arrangements, const Th
 } // namespace
 
 std::vector<TableSpot> arranged(std::string_view arrangement,
-                                const std::vector<const TableThing*>& things,
-                                std::span<const TableThing> table, std::string_view side) {
-  const Wanted wanted{table, side};
+                                const std::vector<const TableThing*>& things, const TableRoom& room,
+                                std::string_view side) {
+  const Wanted wanted{room, side};
   // "In a row along the left edge".
   const bool is_along_side =
     arrangement == "in-row" && (side == "left-edge" || side == "right-edge");

@@ -27,8 +27,9 @@ std::string sentence(std::string words) {
   return words + '.';
 }
 
-TableGoalMaker::TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table)
-  : step_(step), table_(table) {
+TableGoalMaker::TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table,
+                               TableReach reach)
+  : step_(step), table_(table), room_(table, std::move(reach)) {
   for (const auto& proxy : step.things)
     if (const auto* x = thing(proxy))
       things_.push_back(x);
@@ -223,6 +224,9 @@ TableGoal TableGoalMaker::swap() {
   const auto& b = *things_.back();
   if (a.is_held || b.is_held)
     return refusal("I cannot swap what I hold.");
+  for (const auto& [x, other] : {std::pair{&a, &b}, {&b, &a}})
+    if (!room_.can_be_put(*x, place_of(*other)))
+      return refusal(beyond_reach(*x, *other));
   facts_ = {"(= (pos " + a.object + ") " + b.waypoint + ')',
             "(= (pos " + b.object + ") " + a.waypoint + ')'};
   return goal("swap " + listed(things_), listed(things_) + " have changed places");
@@ -281,8 +285,9 @@ TableGoal TableGoalMaker::sort() {
               "the things are sorted by " + step_.by + " now" + but_what_is_kept());
 }
 
-TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table) {
-  return TableGoalMaker{step, table}.make();
+TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table,
+                  TableReach reach) {
+  return TableGoalMaker{step, table, std::move(reach)}.make();
 }
 
 } // namespace castor::planning

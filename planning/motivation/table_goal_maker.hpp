@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/planning/motivation/table_goals.hpp"
+#include "castor/planning/motivation/table_room.hpp"
 #include "castor/planning/motivation/table_words.hpp"
 
 #include <cstddef>
@@ -18,8 +19,8 @@ public:
   using DirectivePlace = communication::DirectivePlace;
   using DirectiveStep = communication::DirectiveStep;
 
-  /// Both have to outlive it.
-  TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table);
+  /// The step and the table have to outlive it.
+  TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table, TableReach reach);
 
   TableGoal make();
 
@@ -73,18 +74,23 @@ private:
   std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_on(const Things& landmarks) const;
+  std::string beyond_reach(const TableThing& x, const TableThing& other) const;
 
   // -- measured places (table_goals_spots.cpp)
   std::optional<std::string> put_at_spot(const DirectivePlace& place, std::string& where);
   TableGoal put_on_both_sides(const DirectivePlace& place);
   const TableThing* top_of_stack() const;
   std::optional<std::string> put_on_top(std::string& where);
+  TableGoal sort_in_row();
+
+  // -- corners (table_goals_corners.cpp)
+  TableGoal put_in_each_corner();
   std::string corner_for_all() const;
   std::optional<std::string> put_in_opposite_corner(std::string& where);
-  TableGoal sort_in_row();
 
   const DirectiveStep& step_;
   std::span<const TableThing> table_;
+  TableRoom room_;
   Things things_;
   /// Those of the step that are not to be touched.
   Things kept_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/communication/types.hpp"
+#include "castor/planning/motivation/table_reach.hpp"
 #include "castor/planning/motivation/table_things.hpp"
 
 #include <cstddef>
@@ -62,8 +63,9 @@ std::vector<std::string> unasked_relations(std::string_view formula);
 bool is_question(std::string_view action);
 
 /// The goal of a step, or why there is none. "One of the balls" is any: of several that will do the
-/// first is taken.
-TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table);
+/// first is taken. Where spots are chosen or said, they are where things can be put.
+TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table,
+                  TableReach reach = reach_in_box);
 
 /// A failed action in words: "I cannot take the ball: the box is in the way."
 std::string explained(std::string_view action, std::string_view reason);

@@ -17,6 +17,21 @@ bool is_round(const TableThing& x) {
   return shape != x.qualities.end() && shape->second == "sphere";
 }
 
+/// "At the front, in the middle": parts that are said together are met together.
+std::vector<communication::DirectivePlace>
+with_middles_of_sides(std::vector<communication::DirectivePlace> places) {
+  const auto is_centre = [](const auto& x) { return x.relation == "centre"; };
+  const auto centre = std::ranges::find_if(places, is_centre);
+  const auto side = std::ranges::find_if(places, [](const auto& x) {
+    return x.landmarks.empty() && !words_for(part_words, x.relation + "-middle").empty();
+  });
+  if (centre == places.end() || side == places.end())
+    return places;
+  side->relation += "-middle";
+  places.erase(centre);
+  return places;
+}
+
 bool is_measured_place(const communication::DirectivePlace& x) {
   return is_measured(x.relation, x.landmarks.empty() ? 0 : x.distance);
 }
@@ -24,23 +39,28 @@ bool is_measured_place(const communication::DirectivePlace& x) {
 } // namespace
 
 TableGoal TableGoalMaker::put() {
+  // Whatever their number, a thing for each.
+  if (std::ranges::find(step_.places, "each-corner", &DirectivePlace::relation) !=
+      step_.places.end())
+    return put_in_each_corner();
   choose();
   const auto verb = (step_.action == "Push" ? "push " : "put ") + listed(things_);
   std::string where;
-  const auto part = std::ranges::find_if(step_.places, [](const DirectivePlace& x) {
-    return !words_for(part_words, x.relation).empty();
-  });
-  for (const auto& place : step_.places) {
+  const auto places = with_middles_of_sides(step_.places);
+  const auto part = std::ranges::find_if(
+    places, [](const DirectivePlace& x) { return !words_for(part_words, x.relation).empty(); });
+  for (const auto& place : places) {
     if (communication::is_arrangement(place.relation)) {
-      if (part == step_.places.end())
+      if (part == places.end())
         return arrange(place.relation);
-      auto goal = arrange(place.relation, part->relation);
+      const auto side = part->relation.substr(0, part->relation.find("-middle"));
+      auto goal = arrange(place.relation, side);
       if (goal.wish == TableWish::goal)
         return goal;
       // Where no row has room at an edge, it may have room on that side.
-      const auto edge = part->relation.find("-edge");
+      const auto edge = side.find("-edge");
       if (edge != std::string::npos)
-        goal = arrange(place.relation, part->relation.substr(0, edge));
+        goal = arrange(place.relation, side.substr(0, edge));
       if (goal.wish == TableWish::goal)
         return goal;
       // "In a row along the edge": at an edge they are in a row.
@@ -77,7 +97,7 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement, const std::str
     return refusal("A circle takes three things at least.");
   if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
     return refusal("I hold " + (*held)->words + ". Tell me to put it down first.");
-  spots_ = arranged(arrangement, things_, table_, side);
+  spots_ = arranged(arrangement, things_, room_, side);
   if (spots_.empty())
     return refusal("There is no room to put them " + words +
                    ". Take something away first, or tell me fewer things.");
@@ -112,6 +132,8 @@ TableGoal TableGoalMaker::put_where_another_is(const DirectivePlace& place,
     return refusal("I do not know where " + other->words + " was before.");
   if (other->is_held && !was)
     return refusal("I hold " + other->words + ". Tell me to put it down first.");
+  if (!was && !room_.can_be_put(x, place_of(*other)))
+    return refusal(beyond_reach(x, *other));
   facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
   ++places_;
   return goal(verb + " where " + other->words + (was ? " was" : " is"),
@@ -128,6 +150,8 @@ std::optional<std::string> TableGoalMaker::put_further(const Shift& shift, doubl
     TableSpot spot{"spot-of-" + x->object, x->x + length * shift.x, x->y + length * shift.y};
     if (!is_on_table(spot.x, spot.y))
       return "There " + x->words + " would not be on the table any more.";
+    if (!room_.can_be_put(*x, {spot.x, spot.y}))
+      return "I do not reach there with " + x->words + ".";
     for (const auto& other : table_)
       if (!other.is_held && std::ranges::find(things_, &other) == things_.end() &&
           std::hypot(other.x - spot.x, other.y - spot.y) < other.radius + x->radius)
@@ -194,6 +218,11 @@ std::optional<std::string> TableGoalMaker::put_at_landmarks(const DirectivePlace
         facts_.push_back(head + ' ' + landmark->object + ')');
   }
   return std::nullopt;
+}
+
+/// The place of another thing is so for it.
+std::string TableGoalMaker::beyond_reach(const TableThing& x, const TableThing& other) const {
+  return "I cannot put " + x.words + " where " + other.words + " is: I do not reach there with it.";
 }
 
 std::optional<std::string> TableGoalMaker::put_on(const Things& landmarks) const {

@@ -60,7 +60,7 @@ std::optional<std::string> TableGoalMaker::put_at_spot(const DirectivePlace& pla
     words += ' ' + listed(landmarks);
   if (place.relation == "equidistant")
     words = " as far from " + landmarks.front()->words + " as from " + landmarks.back()->words;
-  auto spot = measured_spot(place.relation, place.distance, x, landmarks, table_);
+  auto spot = measured_spot(place.relation, place.distance, x, landmarks, room_);
   if (!spot)
     return "There is no room for " + x.words + words + ".";
   facts_.push_back("(= (pos " + x.object + ") " + spot->name + ')');
@@ -77,7 +77,7 @@ TableGoal TableGoalMaker::put_on_both_sides(const DirectivePlace& place) {
     return refusal("I can put two things on both sides of one.");
   if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
     return refusal("I hold " + (*held)->words + ". Tell me to put it down first.");
-  spots_ = both_sides(things_, *middle, table_);
+  spots_ = both_sides(things_, *middle, room_);
   const auto words = "on both sides of " + middle->words;
   if (spots_.empty())
     return refusal("There is no room for them " + words + '.');
@@ -108,31 +108,6 @@ std::optional<std::string> TableGoalMaker::put_on_top(std::string& where) {
     return "I do not know on top of what: tell me on which thing to put it.";
   DirectivePlace place{"on", {top->proxy}};
   return put_at_landmarks(place, where);
-}
-
-/// Several things go into one corner: the one nearest to them.
-std::string TableGoalMaker::corner_for_all() const {
-  double x = 0;
-  double y = 0;
-  for (const auto* thing : things_) {
-    x += thing->x;
-    y += thing->y;
-  }
-  return std::string{y < 0 ? "front" : "back"} + (x < 0 ? "-left" : "-right") + "-corner";
-}
-
-/// From that in which the last thing was put.
-std::optional<std::string> TableGoalMaker::put_in_opposite_corner(std::string& where) {
-  const auto last = std::ranges::find_if(table_, &TableThing::is_last_moved);
-  constexpr double corner_width = 0.1;
-  constexpr double corner_depth = 0.08;
-  if (last == table_.end() || last->is_held || std::abs(last->x) < corner_width ||
-      std::abs(last->y) < corner_depth)
-    return "I do not know opposite to which corner: tell me the corner.";
-  const DirectivePlace place{std::string{last->y < 0 ? "back" : "front"} +
-                               (last->x < 0 ? "-right" : "-left") + "-corner",
-                             {}};
-  return put_in_part(place, where);
 }
 
 /// In a row from left to right, by a measure of theirs.

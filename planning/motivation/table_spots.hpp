@@ -1,10 +1,9 @@
 #pragma once
 
-#include "castor/planning/motivation/table_things.hpp"
+#include "castor/planning/motivation/table_room.hpp"
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -18,8 +17,8 @@ bool is_measured(std::string_view relation, double distance);
 /// Number of landmarks that it takes.
 std::size_t landmarks_needed(std::string_view relation);
 
-/// The spot for a thing, on the table and off what stands there; of several the nearest to where it
-/// is. Nothing if there is no room.
+/// The spot for a thing, where it can be put and off what stands there; of several those where it
+/// can be put best, and of these the nearest to where it is. Nothing if there is no room.
 ///
 /// - `midway`: half-way between two things
 /// - `equidistant`: as far from both
@@ -28,21 +27,18 @@ std::size_t landmarks_needed(std::string_view relation);
 /// - `roomiest`: as far as possible from everything
 /// - `left`, `right`, `front`, `back`, `near`: so that the gap is as wide as said
 ///
-/// @param landmarks as many as `landmarks_needed`, of `table`
+/// @param landmarks as many as `landmarks_needed`, of the table
 std::optional<TableSpot> measured_spot(std::string_view relation, double distance,
                                        const TableThing& thing,
                                        const std::vector<const TableThing*>& landmarks,
-                                       std::span<const TableThing> table);
+                                       const TableRoom& room);
 
 /// Spots for two things on both sides of a third, as far from it: left and right of it, or before
 /// and behind it. Empty if there is no room.
 std::vector<TableSpot> both_sides(const std::vector<const TableThing*>& two,
-                                  const TableThing& middle, std::span<const TableThing> table);
+                                  const TableThing& middle, const TableRoom& room);
 
 /// Whether a place is on the table at all.
 bool is_on_table(double x, double y);
-
-/// Between the rims of the discs that two things fit in, metres.
-double gap_between(const TableThing& a, const TableThing& b);
 
 } // namespace castor::planning

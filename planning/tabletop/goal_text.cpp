@@ -29,6 +29,15 @@ bool is_subject(std::string_view goal, std::string_view thing) {
   return false;
 }
 
+std::string_view waypoint_wanted(std::string_view goal, std::string_view thing) {
+  const auto head = "(= (pos " + std::string{thing} + ") ";
+  const auto at = goal.find(head);
+  if (at == std::string_view::npos)
+    return {};
+  const auto begin = at + head.size();
+  return goal.substr(begin, goal.find(')', begin) - begin);
+}
+
 std::vector<std::string> parts_in(std::string_view goal) {
   constexpr std::string_view head = "(in-part ";
   std::set<std::string> result;
@@ -41,8 +50,8 @@ std::vector<std::string> parts_in(std::string_view goal) {
     // That it was given to somebody, too, is known by what was done.
     if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand" &&
         !part.starts_with("further-") && !part.starts_with("slightly-") && part != "on" &&
-        part != "on-top" && part != "roomiest" && part != "opposite-corner" && part != "some-way" &&
-        !communication::is_arrangement(part))
+        part != "on-top" && part != "each-corner" && part != "roomiest" &&
+        part != "opposite-corner" && part != "some-way" && !communication::is_arrangement(part))
       result.insert(std::move(part));
   }
   return {result.begin(), result.end()};

@@ -223,14 +223,32 @@ void TableMemory::note_places() {
 }
 
 bool TableMemory::is_free(const std::string& waypoint, std::string_view goal) const {
-  const auto place = waypoints_.at(waypoint);
   return std::ranges::none_of(things_, [&](const Thing& x) {
-    // What is to be moved there may be near it.
-    const auto is_for_it =
-      goal.find("(= (pos " + x.name + ") " + waypoint + ')') != std::string_view::npos;
-    return !x.is_held && (!is_for_it || x.waypoint == waypoint) &&
-           (x.waypoint == waypoint || distance(x.seen.place, place) < x.seen.radius + least_room);
+    // What is to be moved there, or somewhere else, may be near it.
+    const auto wanted = waypoint_wanted(goal, x.name);
+    const bool may_be_near = !wanted.empty() && wanted != x.waypoint;
+    return !x.is_held && (x.waypoint == waypoint || (is_near(x, waypoint) && !may_be_near));
   });
+}
+
+bool TableMemory::is_near(const Thing& x, const std::string& waypoint) const {
+  return distance(x.seen.place, waypoints_.at(waypoint)) < x.seen.radius + least_room;
+}
+
+/// What the goal moves somewhere else has to leave before another is put nearly where it is.
+void TableMemory::tell_order(std::string_view goal, StateReply& reply) const {
+  const auto has_to_wait = [&](const Thing& x, const Thing& other) {
+    const std::string wanted{waypoint_wanted(goal, x.name)};
+    const auto leaves_for = waypoint_wanted(goal, other.name);
+    const double room = x.seen.radius + other.seen.radius + finger_gap;
+    return x.name != other.name && !other.is_held && wanted != x.waypoint && !leaves_for.empty() &&
+           leaves_for != other.waypoint && wanted != other.waypoint &&
+           waypoints_.contains(wanted) && distance(waypoints_.at(wanted), other.seen.place) < room;
+  };
+  for (const auto& x : things_)
+    for (const auto& other : things_)
+      if (has_to_wait(x, other) && !has_to_wait(other, x))
+        reply.facts.push_back("(in-way " + other.name + ' ' + x.name + ')');
 }
 
 void TableMemory::tell_place(const std::string& waypoint, const WantedPlace& place,
@@ -314,6 +332,7 @@ StateReply TableMemory::state(std::string_view goal,
   };
   for (auto& x : in_way_.facts(is_movable))
     result.facts.push_back(std::move(x));
+  tell_order(goal, result);
   const auto unasked = unasked_relations(goal);
   result.facts.insert(result.facts.end(), unasked.begin(), unasked.end());
   for (const auto& x : done_)

@@ -137,6 +137,8 @@ private:
   std::string new_waypoint(spatial::GroundPoint place);
   std::string words(const Thing& x) const;
   bool is_free(const std::string& waypoint, std::string_view goal) const;
+  bool is_near(const Thing& x, const std::string& waypoint) const;
+  void tell_order(std::string_view goal, StateReply& reply) const;
   void tell_thing(const Thing& x, StateReply& reply) const;
   void tell_place(const std::string& waypoint, const spatial::WantedPlace& place,
                   StateReply& reply) const;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ class TargetFinder final : public UnmanagedComponent {
       [this](const SpatialRelationshipTargetQuery& x) { return find(x); });
     on_call<PlacementQuery>([this](const PlacementQuery& x) { return place(x); });
     on_call<HeldPlacesQuery>([this](const HeldPlacesQuery& x) { return look(x); });
+    on_call<ReachQuery>([this](const ReachQuery& x) { return tell_reach(x); });
   }
 
   SpatialRelationshipTargetQuery find(SpatialRelationshipTargetQuery query) {
@@ -70,7 +72,13 @@ class TargetFinder final : public UnmanagedComponent {
     }
     const auto thing = query.thing.empty() ? objects.size() : index_of(query.thing);
     auto options = placing_options();
-    set_reach(options, query, scene, thing);
+    if (const auto reach = reachable_table()) {
+      options.reach = [x = reach_of(*reach, query.thing, query.height)](const GroundPoint& at) {
+        return x.at(at);
+      };
+      // The arm finds out whether there is room for its hand.
+      options.least_clearance = 0.005;
+    }
     // In the way of nothing.
     constexpr GroundPoint far_away{100, 100};
     if (thing == objects.size())
@@ -84,38 +92,36 @@ class TargetFinder final : public UnmanagedComponent {
     return query;
   }
 
-  /// Where the arm can put the thing, which it takes from where it is or holds, and where it may;
-  /// not set without an arm.
-  void set_reach(PlacingOptions& options, const PlacementQuery& query, const SpatialScene& scene,
-                 std::size_t thing) {
+  ReachQuery tell_reach(ReachQuery query) {
+    const auto reach = reachable_table();
+    if (!reach || reach->columns < 2 || reach->rows < 2)
+      return query;
+    query.low = reach->low;
+    query.step = reach->step;
+    query.columns = reach->columns - 1;
+    query.rows = reach->rows - 1;
+    for (auto& x : query.things)
+      x.squares = reach_on_squares(reach_of(*reach, x.thing, x.height), *reach);
+    return query;
+  }
+
+  /// Nothing if there is no arm, or it has not told it yet.
+  std::optional<ReachableTable> reachable_table() {
     if (reach_->empty())
-      return;
+      return std::nullopt;
     const auto told = read_all_in<ReachableTable>(reach_.get(), 1);
-    if (told.empty())
-      return;
-    double height = query.height;
-    auto ways = told.front()->held_ways;
-    if (thing < scene.locations.size()) {
-      const auto box = read<SpatialLocation>(here(scene.locations[thing]))->box;
-      height = box.size.z;
-      ways = ways_at(*told.front(), ground_point(box), height);
-      // What is seen beyond the arm's reach may be within.
-      if (ways == 0)
-        ways = ~ways;
-    }
-    options.reaches = [reach = *told.front(), height, ways](const GroundPoint& x) {
-      return (ways_at(reach, x, height) & ways) != 0;
-    };
-    // As it can be held somewhere where it can also be held as it is here.
-    const auto ways_by_stop = ways_by_way_of(*told.front(), height, ways);
-    options.reaches_by_stop = [reach = *told.front(), height, ways_by_stop](const GroundPoint& x) {
-      return (ways_at(reach, x, height) & ways_by_stop) != 0;
-    };
-    // The arm finds out whether there is room for its hand.
-    options.least_clearance = 0.005;
-    options.may_reach = [reach = *told.front(), height](const GroundPoint& x) {
-      return ways_around(reach, x, height) != 0;
-    };
+    return told.empty() ? std::nullopt : std::optional{*told.front()};
+  }
+
+  /// How the arm can put the thing somewhere, which it takes from where it is or holds.
+  /// @param location of the thing; empty for what is held. @param height of that
+  ReachOfThing reach_of(const ReachableTable& reach, const std::string& location, double height) {
+    if (location.empty())
+      return {reach, height, reach.held_ways};
+    const auto box = read<SpatialLocation>(here(location))->box;
+    const auto ways = ways_at(reach, ground_point(box), box.size.z);
+    // What is seen beyond the arm's reach may be within.
+    return {reach, box.size.z, ways == 0 ? ~ways : ways};
   }
 
   HeldPlacesQuery look(HeldPlacesQuery query) {

@@ -3,6 +3,7 @@
 #include "castor/perception/spatial/types.hpp"
 #include "castor/perception/vision/types.hpp"
 #include "castor/planning/manipulation/types.hpp"
+#include "castor/planning/motivation/table_reach.hpp"
 #include "castor/planning/tabletop/components/knows_table.hpp"
 #include "castor/planning/tabletop/goal_text.hpp"
 #include "castor/planning/tabletop/table_memory.hpp"
@@ -61,6 +62,24 @@ protected:
     for (const auto& x : query.targets)
       result.push_back(table_place(x.position));
     return result;
+  }
+
+  /// Where things can be put.
+  TableReach reach_of(const std::vector<TableThing>& things) {
+    spatial::ReachQuery query;
+    std::vector<std::string> objects;
+    for (const auto& x : things) {
+      const auto* known = memory_.thing(x.object);
+      auto at = known == nullptr || known->is_held ? std::string{} : location_of(known->seen.id);
+      // What stands on another thing vision may see as one with it.
+      if (known == nullptr || !known->on.empty() || (at.empty() && !known->is_held))
+        continue;
+      query.things.push_back({std::move(at), known->seen.height});
+      objects.push_back(x.object);
+    }
+    return reach_told(
+      call<spatial::ReachQuery, spatial::ReachQuery>(spatial(), query, {.timeout = patience()}),
+      std::move(objects));
   }
 
   /// Whether it is where it was to be, as far as that can be seen.

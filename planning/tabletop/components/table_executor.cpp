@@ -61,7 +61,7 @@ class TableExecutor final : public FindsPlaces {
       if (place.landmarks.empty())
         formula += "(in-part x " + place.relation + ')';
     const auto things = memory_.things(places(parts_in(formula)));
-    auto goal = goal_of(step, things);
+    auto goal = goal_of(step, things, reach_of(things));
     if (request.begins && (goal.wish == TableWish::keep || goal.wish == TableWish::keep_clear ||
                            goal.wish == TableWish::allow)) {
       memory_.keep(goal);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -22,6 +23,12 @@ ReachableTable reach() {
   result.ways = {0b111, 0b011, 0b001, 0b111, 0b010, 0b000,  // low
                  0b110, 0b110, 0b110, 0b110, 0b110, 0b110}; // high
   return result;
+}
+
+/// Directly there, and nowhere else.
+template <class Predicate>
+std::function<Reach(const GroundPoint&)> where(Predicate is_reached) {
+  return [is_reached](const GroundPoint& x) { return is_reached(x) ? Reach::direct : Reach::none; };
 }
 
 } // namespace
@@ -68,12 +75,30 @@ TEST(Reach, NeedsAWayForEachPoint) {
   EXPECT_THROW(ways_at({}, {0, 0}, 0.02), std::invalid_argument);
 }
 
+TEST(Reach, IsDirectWhereAThingCanBeHeldAsItIs) {
+  const ReachOfThing low{reach(), 0.02, 0b001};
+  EXPECT_EQ(low.at({0, 0}), Reach::direct);
+  EXPECT_EQ(low.at({0.05, 0}), Reach::direct);
+  // Put down at one of the other points, it can be held in the second way.
+  EXPECT_EQ(low.at({0, 0.1}), Reach::direct);
+  EXPECT_EQ(low.at({0.1, 0.1}), Reach::by_stop);
+  EXPECT_EQ(low.at({0.15, 0.05}), Reach::perhaps);
+  EXPECT_EQ(low.at({0.2, 0.1}), Reach::none);
+  EXPECT_EQ((ReachOfThing{reach(), 0.06, 0b001}).at({0, 0}), Reach::perhaps);
+}
+
+TEST(Reach, OnSquaresIsThatInTheirMiddles) {
+  const ReachOfThing low{reach(), 0.02, 0b001};
+  EXPECT_EQ(reach_on_squares(low, reach()),
+            (std::vector{low.at({0.05, 0.05}), low.at({0.15, 0.05})}));
+}
+
 TEST(Reach, ThingsArePutWhereItIs) {
   const std::vector<TableObject> objects{{{-0.2, 0}, 0.03}, {{0, 0}, 0.03}};
   const std::vector wanted{PlaceWanted{"right", {1}}};
   PlacingOptions options;
   const auto anywhere = TablePlaces{objects, {0, -0.6}, options}.find(0, wanted, 3);
-  options.reaches = [](const GroundPoint& x) { return x.x > 0.15; };
+  options.reach = where([](const GroundPoint& x) { return x.x > 0.15; });
   const auto reached = TablePlaces{objects, {0, -0.6}, options}.find(0, wanted, 3);
   ASSERT_FALSE(anywhere.targets.empty());
   EXPECT_LT(anywhere.targets.front().position.x, 0.15);
@@ -86,8 +111,9 @@ TEST(Reach, WhereItIsNotKnownComesLast) {
   const std::vector<TableObject> objects{{{-0.2, 0}, 0.03}, {{0, 0}, 0.03}};
   const std::vector wanted{PlaceWanted{"right", {1}}};
   PlacingOptions options;
-  options.reaches = [](const GroundPoint& x) { return x.x > 0.2; };
-  options.may_reach = [](const GroundPoint& x) { return x.x > 0.1; };
+  options.reach = [](const GroundPoint& x) {
+    return x.x > 0.2 ? Reach::direct : x.x > 0.1 ? Reach::perhaps : Reach::none;
+  };
   const auto found = TablePlaces{objects, {0, -0.6}, options}.find(0, wanted, 20).targets;
   ASSERT_GE(found.size(), 3U);
   EXPECT_GT(found.front().position.x, 0.2);
@@ -111,11 +137,11 @@ TEST(Reach, ItIsSaidThatItIsWhatLacks) {
   const std::vector<TableObject> objects{{{-0.2, 0}, 0.03}, {{0.1, 0}, 0.2}};
   const std::vector right{PlaceWanted{"right", {}}};
   PlacingOptions options;
-  options.reaches = [](const GroundPoint& x) { return x.x < 0; };
+  options.reach = where([](const GroundPoint& x) { return x.x < 0; });
   EXPECT_EQ((TablePlaces{objects, {0, -0.6}, options}.find(0, right).reason),
             "I do not reach any such place with it");
   // What stands there leaves room at the corners only.
-  options.reaches = [](const GroundPoint& x) { return distance(x, {0.1, 0}) < 0.2; };
+  options.reach = where([](const GroundPoint& x) { return distance(x, {0.1, 0}) < 0.2; });
   EXPECT_EQ((TablePlaces{objects, {0, -0.6}, options}.find(0, right).reason),
             "there is no room where I reach");
 }

@@ -41,6 +41,23 @@ TEST(TablePlaces, DirectionsAreThoseOfTheViewer) {
   EXPECT_FALSE(table.holds({"right", {blue_box}}, red_ball));
 }
 
+/// To a viewer who is near, what is in front of a thing at a side seems to be beside it.
+TEST(TablePlaces, DirectionsAreThoseOfTheTableAsWell) {
+  constexpr GroundPoint near_seat{0, -0.34};
+  for (const double side : {-1.0, 1.0}) {
+    const std::vector<TableObject> objects{{{side * 0.20, -0.24}, 0.03},
+                                           {{side * 0.16, -0.09}, 0.03}};
+    const TablePlaces table{objects, near_seat};
+    const PlaceWanted beside{side < 0 ? "left" : "right", {1}};
+    EXPECT_GT(angle_fit(side < 0 ? SpatialRelation::left : SpatialRelation::right,
+                        objects[0].centre, objects[1].centre, near_seat),
+              0.5);
+    EXPECT_FALSE(table.holds(beside, 0));
+    const auto at = place_of(table, 0, beside);
+    EXPECT_GT(side * at.x - 0.16, std::abs(at.y + 0.09));
+  }
+}
+
 TEST(TablePlaces, NothingIsPutWhereAnotherThingStands) {
   const TablePlaces table{three, seat};
   for (const auto* relation : {"left", "right", "front", "back", "near"}) {
@@ -105,6 +122,42 @@ TEST(TablePlaces, PartsOfTheTable) {
   EXPECT_THROW(table.find(red_ball, std::vector{PlaceWanted{"attic", {}}}), std::invalid_argument);
 }
 
+TEST(TablePlaces, TheMiddleOfASideIsThereAndNotAtTheTablesMiddle) {
+  const TablePlaces table{three, seat};
+  for (const double side : {-1.0, 1.0}) {
+    const auto across = place_of(table, blue_box, {side < 0 ? "front-middle" : "back-middle", {}});
+    EXPECT_GT(side * across.y, 0.06);
+    EXPECT_LT(std::abs(across.x), 0.06);
+    const auto along = place_of(table, blue_box, {side < 0 ? "left-middle" : "right-middle", {}});
+    EXPECT_GT(side * along.x, 0.06);
+    EXPECT_LT(std::abs(along.y), 0.06);
+  }
+  const auto edge = place_of(table, red_ball, {"front-edge-middle", {}});
+  EXPECT_LT(edge.y, -0.26 + 0.03 + edge_width);
+  EXPECT_LT(std::abs(edge.x), 0.05);
+  EXPECT_FALSE(table.holds({"front-middle", {}}, blue_box));
+  EXPECT_FALSE(table.holds({"left-edge-middle", {}}, red_ball));
+  EXPECT_TRUE(table.holds({"left-middle", {}}, red_ball));
+  EXPECT_THROW(table.find(red_ball, std::vector{PlaceWanted{"attic-middle", {}}}),
+               std::invalid_argument);
+}
+
+/// As near to the middle of the front edge as the arm reaches.
+TEST(TablePlaces, AtHandIsBeforeWhoSitsThere) {
+  const std::vector<TableObject> objects{{{-0.16, 0.05}, 0.03}};
+  const PlaceWanted at_hand{"at-hand", {}};
+  const auto anywhere = place_of(TablePlaces{objects, seat}, 0, at_hand);
+  EXPECT_LT(std::abs(anywhere.x), 0.05);
+  EXPECT_LT(anywhere.y, -0.15);
+  // An arm that stands there does not reach what is right before it.
+  PlacingOptions options;
+  options.reach = [](const GroundPoint& x) {
+    return distance(x, {0, -0.26}) > 0.15 ? Reach::direct : Reach::none;
+  };
+  const auto reached = place_of(TablePlaces{objects, seat, options}, 0, at_hand);
+  EXPECT_LT(distance(reached, {0, -0.26}), 0.18);
+}
+
 /// It goes straight to the side, as far as there is room, and clearly onto it.
 TEST(TablePlaces, ToASideOfTheTableIsStraightThere) {
   const std::vector<TableObject> objects{
@@ -158,9 +211,10 @@ TEST(TablePlaces, NarrowStripAtTheEdge) {
 /// neither directly nor with a stop, and what is beside it is tried as well.
 TEST(TablePlaces, PlacesWithAStopBetweenAreCloseAndBeforeThoseThatAreUncertain) {
   PlacingOptions options;
-  options.reaches = [](const GroundPoint&) { return false; };
-  options.reaches_by_stop = [](const GroundPoint& at) { return at.y < -0.06 && at.y > -0.12; };
-  options.may_reach = [](const GroundPoint&) { return true; };
+  const auto is_in_front = [](const GroundPoint& at) { return at.y < -0.06 && at.y > -0.12; };
+  options.reach = [&](const GroundPoint& at) {
+    return is_in_front(at) ? Reach::by_stop : Reach::perhaps;
+  };
   const TablePlaces table{three, seat, options};
   const std::vector<PlaceWanted> wanted{PlaceWanted{"front", {blue_box}}};
   const auto found = table.find(red_ball, wanted, 3);
@@ -170,7 +224,9 @@ TEST(TablePlaces, PlacesWithAStopBetweenAreCloseAndBeforeThoseThatAreUncertain) 
     EXPECT_LT(distance(x.position, found.targets.front().position), 0.09);
   }
   // One by one, those that it can be put at directly are as far apart as two of its kind.
-  options.reaches = options.reaches_by_stop;
+  options.reach = [&](const GroundPoint& at) {
+    return is_in_front(at) ? Reach::direct : Reach::perhaps;
+  };
   const auto direct = TablePlaces{three, seat, options}.find(red_ball, wanted, 2);
   ASSERT_EQ(direct.targets.size(), 2U);
   EXPECT_GE(distance(direct.targets[0].position, direct.targets[1].position), 0.08 - 1e-9);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -33,7 +34,7 @@ double gap(const TableSpot& a, const TableSpot& b) {
 TEST(TableArrangements, ARowKeepsTheOrderFromLeftToRight) {
   const std::vector table{thing_at("a", 0.1, 0.05), thing_at("b", -0.15, -0.05),
                           thing_at("c", 0, 0.1)};
-  const auto row = arranged("in-row", first(table, 3), table);
+  const auto row = arranged("in-row", first(table, 3), TableRoom{table});
   ASSERT_EQ(row.size(), 3U);
   EXPECT_EQ(row[0].name, "spot-of-a");
   EXPECT_LT(row[1].x, row[2].x);
@@ -47,7 +48,7 @@ TEST(TableArrangements, NeighboursInARowAreAsFarFromEachOtherWhateverTheirSize) 
   std::vector table{thing_at("a", -0.15, 0.05), thing_at("b", 0, -0.02), thing_at("c", 0.15, 0.04)};
   table[0].radius = 0.05;
   table[1].radius = 0.02;
-  const auto row = arranged("in-row", first(table, 3), table);
+  const auto row = arranged("in-row", first(table, 3), TableRoom{table});
   ASSERT_EQ(row.size(), 3U);
   const double left = row[1].x - row[0].x - table[0].radius - table[1].radius;
   const double right = row[2].x - row[1].x - table[1].radius - table[2].radius;
@@ -59,7 +60,7 @@ TEST(TableArrangements, NeighboursInARowAreAsFarFromEachOtherWhateverTheirSize) 
 TEST(TableArrangements, WhatStandsRightStays) {
   const std::vector table{thing_at("a", -0.12, -0.05), thing_at("b", -0.02, -0.05),
                           thing_at("c", 0.15, 0.1)};
-  const auto row = arranged("in-row", first(table, 3), table);
+  const auto row = arranged("in-row", first(table, 3), TableRoom{table});
   ASSERT_EQ(row.size(), 3U);
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_LT(std::hypot(row[i].x - table[i].x, row[i].y - table[i].y), stands_right);
@@ -68,18 +69,18 @@ TEST(TableArrangements, WhatStandsRightStays) {
 TEST(TableArrangements, ARowOnASideOfTheTable) {
   const std::vector table{thing_at("a", -0.15, 0.05), thing_at("b", 0, 0.1),
                           thing_at("c", 0.15, 0)};
-  for (const auto& spot : arranged("in-row", first(table, 3), table, "front"))
+  for (const auto& spot : arranged("in-row", first(table, 3), TableRoom{table}, "front"))
     EXPECT_LT(spot.y, -0.05);
-  const auto left = arranged("in-column", first(table, 2), table, "left");
+  const auto left = arranged("in-column", first(table, 2), TableRoom{table}, "left");
   ASSERT_EQ(left.size(), 2U);
   EXPECT_LT(left[0].x, -0.05);
   EXPECT_LT(left[1].x, -0.05);
-  EXPECT_TRUE(arranged("in-row", first(table, 3), table, "attic").empty());
+  EXPECT_TRUE(arranged("in-row", first(table, 3), TableRoom{table}, "attic").empty());
 }
 
 TEST(TableArrangements, AColumnGoesFromTheFrontToTheBack) {
   const std::vector table{thing_at("a", 0.1, 0.05), thing_at("b", -0.15, -0.05)};
-  const auto column = arranged("in-column", first(table, 2), table);
+  const auto column = arranged("in-column", first(table, 2), TableRoom{table});
   ASSERT_EQ(column.size(), 2U);
   EXPECT_DOUBLE_EQ(column[0].x, column[1].x);
   EXPECT_GT(column[0].y, column[1].y);
@@ -89,7 +90,7 @@ TEST(TableArrangements, OfTwoRowsTheNearerHalfIsInFront) {
   const std::vector table{thing_at("a", 0.28, 0.05), thing_at("b", -0.28, -0.05),
                           thing_at("c", -0.27, 0.12), thing_at("d", 0.27, -0.1),
                           thing_at("e", -0.29, 0.22)};
-  const auto rows = arranged("in-two-rows", first(table, 5), table);
+  const auto rows = arranged("in-two-rows", first(table, 5), TableRoom{table});
   ASSERT_EQ(rows.size(), 5U);
   // In front: b, d and a, from left to right; behind them e and c.
   EXPECT_DOUBLE_EQ(rows[1].y, rows[3].y);
@@ -104,7 +105,7 @@ TEST(TableArrangements, OfTwoRowsTheNearerHalfIsInFront) {
 TEST(TableArrangements, ARingHasOneDistanceFromItsMiddle) {
   const std::vector table{thing_at("a", 0.02, 0.0), thing_at("b", -0.02, 0.02),
                           thing_at("c", 0.0, -0.03), thing_at("d", 0.2, 0.1)};
-  const auto ring = arranged("in-ring", first(table, 3), table);
+  const auto ring = arranged("in-ring", first(table, 3), TableRoom{table});
   ASSERT_EQ(ring.size(), 3U);
   EXPECT_NEAR(gap(ring[0], ring[1]), gap(ring[1], ring[2]), 1e-9);
   EXPECT_NEAR(gap(ring[0], ring[1]), gap(ring[0], ring[2]), 1e-9);
@@ -112,18 +113,39 @@ TEST(TableArrangements, ARingHasOneDistanceFromItsMiddle) {
 
 TEST(TableArrangements, ThingsThatAreSpreadAreFartherFromEachOther) {
   const std::vector table{thing_at("a", -0.05, 0.0), thing_at("b", 0.05, 0.0)};
-  const auto spread = arranged("apart", first(table, 2), table);
+  const auto spread = arranged("apart", first(table, 2), TableRoom{table});
   ASSERT_EQ(spread.size(), 2U);
   EXPECT_NEAR(gap(spread[0], spread[1]), 0.2, 1e-9);
 }
 
+TEST(TableArrangements, ARowInTheMiddleGoesThroughIt) {
+  const std::vector table{thing_at("a", -0.15, 0.12), thing_at("b", 0, 0.12),
+                          thing_at("c", 0.15, 0.12)};
+  const auto row = arranged("in-row", first(table, 3), TableRoom{table}, "centre");
+  ASSERT_EQ(row.size(), 3U);
+  EXPECT_LE(std::abs(row[0].y), 0.03);
+  const auto column = arranged("in-column", first(table, 3), TableRoom{table}, "centre");
+  ASSERT_EQ(column.size(), 3U);
+  EXPECT_LE(std::abs(column[0].x), 0.03);
+}
+
+TEST(TableArrangements, NothingStandsOverTheEdge) {
+  std::vector<TableThing> table;
+  for (int i = 0; i < 6; ++i)
+    table.push_back(thing_at("t" + std::to_string(i), 0.2 + 0.005 * i, -0.2 + 0.08 * i));
+  const auto row = arranged("in-row-as-named", first(table, 6), TableRoom{table});
+  ASSERT_EQ(row.size(), 6U);
+  for (const auto& spot : row)
+    EXPECT_LE(std::abs(spot.x), 0.27 + 1e-9);
+}
+
 TEST(TableArrangements, ARowAlongAnEdgeIsCloseToIt) {
   const std::vector table{thing_at("a", -0.05, 0.0), thing_at("b", 0.05, 0.05)};
-  const auto front = arranged("in-row", first(table, 2), table, "front-edge");
+  const auto front = arranged("in-row", first(table, 2), TableRoom{table}, "front-edge");
   ASSERT_EQ(front.size(), 2U);
   EXPECT_NEAR(front[0].y, front[1].y, 1e-9);
   EXPECT_LE(front[0].y, -0.13);
-  const auto left = arranged("in-row", first(table, 2), table, "left-edge");
+  const auto left = arranged("in-row", first(table, 2), TableRoom{table}, "left-edge");
   ASSERT_EQ(left.size(), 2U);
   EXPECT_NEAR(left[0].x, left[1].x, 1e-9);
   EXPECT_LE(left[0].x, -0.2);
@@ -133,10 +155,68 @@ TEST(TableArrangements, ThereMayBeNoRoom) {
   std::vector<TableThing> table;
   for (int i = 0; i < 12; ++i)
     table.push_back(thing_at("t" + std::to_string(i), -0.25 + 0.1 * (i % 6), -0.1 + 0.2 * (i / 6)));
-  EXPECT_TRUE(arranged("in-row", first(table, 12), table).empty());
+  EXPECT_TRUE(arranged("in-row", first(table, 12), TableRoom{table}).empty());
 }
 
-/// On random tables: where there is a place for all, none is put where another thing stands.
+TEST(TableArrangements, ThingsArePutWhereTheyCanBe) {
+  const std::vector table{thing_at("a", -0.15, 0.05), thing_at("b", 0, 0.1),
+                          thing_at("c", 0.15, 0)};
+  // The first one cannot be put beyond some line, the others not before it.
+  const auto reach = [](const TableThing& x, double, double y) {
+    const bool is_reached = x.object == "a" ? y < 0.11 : y > 0.09;
+    return is_reached ? spatial::Reach::direct : spatial::Reach::none;
+  };
+  const auto row = arranged("in-row", first(table, 3), TableRoom{table, reach});
+  ASSERT_EQ(row.size(), 3U);
+  EXPECT_NEAR(row.front().y, 0.1, 0.011);
+  const auto nowhere = [](const TableThing&, double, double) { return spatial::Reach::none; };
+  EXPECT_TRUE(arranged("in-row", first(table, 3), TableRoom{table, nowhere}).empty());
+}
+
+/// Where it has to be put down on its way, it is put only if there is no other place that is not
+/// much farther.
+TEST(TableArrangements, ThingsAreRatherPutWhereTheyCanBeDirectly) {
+  const std::vector table{thing_at("a", -0.1, 0.0), thing_at("b", 0.1, 0.08)};
+  const auto reach = [](const TableThing&, double, double y) {
+    return y < -0.05 ? spatial::Reach::direct : spatial::Reach::by_stop;
+  };
+  for (const auto& spot : arranged("in-row", first(table, 2), TableRoom{table, reach}))
+    EXPECT_LT(spot.y, -0.05);
+}
+
+/// A row has room where its own things stand, if each can be moved when those have left.
+TEST(TableArrangements, ThingsLeaveRoomForOneAnother) {
+  const std::vector table{thing_at("a", -0.01, 0.03), thing_at("b", 0.11, -0.02),
+                          thing_at("c", 0.06, 0.1)};
+  const auto reach = [](const TableThing&, double x, double y) {
+    const bool is_reached = std::abs(x) < 0.16 && std::abs(y) < 0.01;
+    return is_reached ? spatial::Reach::direct : spatial::Reach::none;
+  };
+  const auto row = arranged("in-row", first(table, 3), TableRoom{table, reach});
+  ASSERT_EQ(row.size(), 3U);
+  EXPECT_LT(std::abs(row[0].y), 0.011);
+  // Two that stand where the other is to be cannot begin.
+  const std::vector crossed{thing_at("a", 0.05, 0.0), thing_at("b", -0.05, 0.0)};
+  const auto here_only = [](const TableThing&, double x, double y) {
+    const bool is_reached = std::abs(x) < 0.07 && std::abs(y) < 0.01;
+    return is_reached ? spatial::Reach::direct : spatial::Reach::none;
+  };
+  EXPECT_TRUE(
+    arranged("in-row-as-named", first(crossed, 2), TableRoom{crossed, here_only}).empty());
+}
+
+TEST(TableArrangements, ARowAsNamedHasTheOrderOfTheNames) {
+  const std::vector table{thing_at("a", 0.15, 0.05), thing_at("b", -0.15, -0.05),
+                          thing_at("c", 0, 0.1)};
+  const std::vector<const TableThing*> named{&table[2], &table[0], &table[1]};
+  const auto row = arranged("in-row-as-named", named, TableRoom{table});
+  ASSERT_EQ(row.size(), 3U);
+  EXPECT_EQ(row[0].name, "spot-of-c");
+  EXPECT_LT(row[0].x, row[1].x);
+  EXPECT_LT(row[1].x, row[2].x);
+}
+
+/// On random tables: where there is a place for all, none is put where another thing stays.
 TEST(TableArrangements, NothingIsPutWhereAnotherThingStands) {
   std::mt19937 random{5};
   std::uniform_real_distribution<double> across{-0.25, 0.25};
@@ -144,17 +224,23 @@ TEST(TableArrangements, NothingIsPutWhereAnotherThingStands) {
   std::size_t found = 0;
   for (int run = 0; run < 200; ++run) {
     std::vector<TableThing> table;
-    for (int i = 0; i < 6; ++i)
-      table.push_back(thing_at("t" + std::to_string(i), across(random), along(random)));
+    while (table.size() < 6) {
+      const auto next = thing_at("t" + std::to_string(table.size()), across(random), along(random));
+      if (std::ranges::all_of(table, [&](const TableThing& x) {
+            return std::hypot(x.x - next.x, x.y - next.y) > x.radius + next.radius;
+          }))
+        table.push_back(next);
+    }
     const auto things = first(table, 3);
     for (const auto* arrangement : {"in-row", "in-column", "in-ring", "apart"}) {
-      const auto spots = arranged(arrangement, things, table);
+      const auto spots = arranged(arrangement, things, TableRoom{table});
       found += spots.empty() ? 0 : 1;
       for (std::size_t i = 0; i < spots.size(); ++i)
-        for (const auto& other : table)
-          if (&other != things[i]) {
-            EXPECT_GT(std::hypot(other.x - spots[i].x, other.y - spots[i].y),
-                      other.radius + things[i]->radius);
+        for (std::size_t j = 0; j < table.size(); ++j)
+          if (j != i) {
+            const auto other = j < spots.size() ? spots[j] : TableSpot{"", table[j].x, table[j].y};
+            // What stands right is not moved.
+            EXPECT_GT(gap(other, spots[i]), table[j].radius + things[i]->radius - stands_right);
           }
     }
   }

@@ -54,6 +54,21 @@ TEST(TableGoals, ToPutIsToBeThere) {
             "The red ball and the blue ball are to the right of the red box now.");
 }
 
+TEST(TableGoals, ASideAndTheMiddleAreTheMiddleOfThatSide) {
+  for (const auto& places :
+       {std::vector<communication::DirectivePlace>{{"front", {}}, {"centre", {}}},
+        {{"centre", {}}, {"front", {}}}}) {
+    const auto goal = goal_of({"Put", {"p/b"}, 0, places, {}}, table);
+    EXPECT_EQ(goal.formula, "(and (in-part b front-middle))");
+    EXPECT_EQ(goal.words, "put the blue ball at the front in the middle");
+  }
+  EXPECT_EQ(formula({"Put", {"p/b"}, 0, {{"left-edge", {}}, {"centre", {}}}, {}}),
+            "(and (in-part b left-edge-middle))");
+  // Between others it is not.
+  EXPECT_EQ(formula({"Put", {"p/b"}, 0, {{"centre", {}}, {"left", {"p/a"}}}, {}}),
+            "(and (in-part b centre) (left-of b a))");
+}
+
 TEST(TableGoals, SortingGivesAStripToEachValue) {
   EXPECT_EQ(formula({"Sort", {"p/a", "p/b", "p/c"}, 0, {}, "colour"}),
             "(and (in-part a strip-1-of-2) (in-part c strip-1-of-2) (in-part b strip-2-of-2))");
@@ -77,6 +92,24 @@ TEST(TableGoals, ClearingMovesAllToTheOtherSide) {
 TEST(TableGoals, SwappedThingsAreWhereTheOtherWas) {
   EXPECT_EQ(formula({"Swap", {"p/a", "p/b"}, 0, {}, {}}),
             "(and (= (pos a) at-b) (= (pos b) at-a))");
+}
+
+/// Nothing is moved, rather than one of them in vain.
+TEST(TableGoals, WhatIsOutOfReachIsSaidBeforeAnythingIsMoved) {
+  const auto reach = [](const TableThing& x, double at, double) {
+    return x.object == "b" && at < 0 ? spatial::Reach::none : spatial::Reach::direct;
+  };
+  for (const auto& both : {std::vector<std::string>{"p/a", "p/b"}, {"p/b", "p/a"}}) {
+    const auto goal = goal_of({"Swap", both, 0, {}, {}}, table, reach);
+    EXPECT_EQ(goal.wish, TableWish::refusal);
+    EXPECT_EQ(goal.words, "I cannot put the blue ball where the red ball is: I do not reach there "
+                          "with it.");
+  }
+  EXPECT_EQ(goal_of({"Swap", {"p/a", "p/c"}, 0, {}, {}}, table, reach).wish, TableWish::goal);
+  EXPECT_EQ(goal_of({"Put", {"p/b"}, 0, {{"where", {"p/c"}}}, {}}, table, reach).words,
+            "I cannot put the blue ball where the red box is: I do not reach there with it.");
+  EXPECT_EQ(goal_of({"Put", {"p/b"}, 0, {{"further-left", {}, 0.15}}, {}}, table, reach).words,
+            "I do not reach there with the blue ball.");
 }
 
 TEST(TableGoals, BackIsWhereItWasBefore) {

@@ -94,6 +94,47 @@ TEST(TableSpots, WhereThereIsRoomIsFarFromEverything) {
     }
 }
 
+TEST(TableSpots, AreWhereTheThingCanBePut) {
+  const auto in_front = [](const TableThing&, double, double y) {
+    return y < -0.05 ? spatial::Reach::direct : spatial::Reach::none;
+  };
+  const auto things = spotted();
+  const DirectiveStep beside{"Put", {"p/disc"}, 0, {{"near", {"p/ball"}, 0.05}}, {}};
+  const auto goal = goal_of(beside, things, in_front);
+  ASSERT_EQ(goal.spots.size(), 1U) << goal.words;
+  EXPECT_LT(goal.spots.front().y, -0.05);
+  EXPECT_EQ(
+    goal_of({"Put", {"p/disc"}, 0, {{"left", {"p/box"}, 0.05}}, {}}, things, in_front).words,
+    "There is no room for the disc 5 centimetres to the left of the box.");
+  const auto roomiest =
+    goal_of({"Put", {"p/disc"}, 0, {{"roomiest", {}}}, {}}, things, in_front).spots;
+  ASSERT_EQ(roomiest.size(), 1U);
+  EXPECT_LT(roomiest.front().y, -0.05);
+  // Rather where it need not be put down on its way.
+  const auto by_stop = [](const TableThing&, double, double y) {
+    return y > 0.05 ? spatial::Reach::direct : spatial::Reach::by_stop;
+  };
+  EXPECT_GT(goal_of(beside, things, by_stop).spots.front().y, 0.05);
+}
+
+TEST(TableReach, IsAsSpatialHasTold) {
+  spatial::ReachQuery told;
+  told.low = {0, 0};
+  told.step = 0.1;
+  told.columns = 2;
+  told.rows = 1;
+  told.things = {{"location", 0.05, {spatial::Reach::by_stop, spatial::Reach::none}}, {"other"}};
+  const auto things = spotted();
+  const auto reach = reach_told(told, {"ball", "box"});
+  EXPECT_EQ(reach(things[0], 0.05, 0.05), spatial::Reach::by_stop);
+  EXPECT_EQ(reach(things[0], 0.15, 0.05), spatial::Reach::none);
+  EXPECT_EQ(reach(things[0], 0.05, 0.15), spatial::Reach::none);
+  EXPECT_EQ(reach(things[0], -0.01, 0.05), spatial::Reach::none);
+  // Of others nothing was told.
+  for (const auto& x : {things[1], things[2]})
+    EXPECT_EQ(reach(x, 0.15, 0.05), spatial::Reach::direct);
+}
+
 TEST(TableSpots, TwoThingsStandOnBothSidesAsFarAway) {
   const auto goal =
     goal_of({"Put", {"p/ball", "p/disc"}, 0, {{"both-sides", {"p/box"}}}, {}}, spotted());
@@ -121,6 +162,32 @@ TEST(TableSpots, OnTopIsOnWhatIsStacked) {
 TEST(TableSpots, SeveralThingsGoIntoOneCorner) {
   EXPECT_EQ(goal_of({"Put", {"p/ball", "p/disc"}, 0, {{"corner", {}}}, {}}, spotted()).formula,
             "(and (in-part ball front-left-corner) (near disc ball))");
+}
+
+TEST(TableSpots, EachCornerHasAThingOfItsOwn) {
+  auto things = spotted();
+  things.push_back(made("cup", "cylinder", 0.0, 0.0));
+  const std::vector<std::string> all{"p/ball", "p/box", "p/disc", "p/can", "p/cup"};
+  DirectiveStep step{"Put", all, 0, {{"each-corner", {}}}, {}};
+  const auto goal = goal_of(step, things);
+  EXPECT_EQ(goal.formula, "(and (in-part disc front-left-corner) (in-part box front-right-corner) "
+                          "(in-part ball back-left-corner) (in-part can back-right-corner))")
+    << goal.words;
+  // "One thing" is one for each.
+  step.number = 1;
+  EXPECT_EQ(goal_of(step, things).formula, goal.formula);
+  EXPECT_EQ(goal.parts.size(), 4U);
+  // With fewer things, as many corners, and those that they can be put in.
+  const auto in_front = [](const TableThing&, double, double y) {
+    return y < 0 ? spatial::Reach::direct : spatial::Reach::none;
+  };
+  step.things = {"p/can", "p/ball"};
+  EXPECT_EQ(goal_of(step, things, in_front).formula,
+            "(and (in-part ball front-left-corner) (in-part can front-right-corner))");
+  step.things = all;
+  EXPECT_EQ(words_of(step, things), goal.words);
+  EXPECT_EQ(goal_of(step, things, in_front).words,
+            "I do not reach so many corners of the table with them.");
 }
 
 TEST(TableSpots, TheOppositeCornerIsThatOfWhatWasMovedLast) {

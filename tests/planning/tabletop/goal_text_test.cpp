@@ -29,8 +29,15 @@ TEST(IsSubject, NotWhatAnotherIsPutAt) {
 
 TEST(PartsIn, AreNoArrangementsAndNoPlacesOnThings) {
   EXPECT_THAT(
-    parts_in("(and (in-part a left) (in-part a in-row) (in-part a apart) (in-part a on))"),
+    parts_in("(and (in-part a left) (in-part a in-row) (in-part a apart) (in-part a on) (in-part a each-corner))"),
     testing::ElementsAre("left"));
+}
+
+TEST(WaypointWanted, IsThatOfTheThing) {
+  constexpr auto goal = "(and (= (pos ball) place-1) (= (pos box) place-12) (near disc box))";
+  EXPECT_EQ(waypoint_wanted(goal, "ball"), "place-1");
+  EXPECT_EQ(waypoint_wanted(goal, "box"), "place-12");
+  EXPECT_EQ(waypoint_wanted(goal, "disc"), "");
 }
 
 } // namespace castor::planning

@@ -1,3 +1,4 @@
+#include "castor/planning/tabletop/goal_text.hpp"
 #include "castor/planning/tabletop/table_memory.hpp"
 
 #include <gmock/gmock.h>
@@ -303,6 +304,22 @@ TEST_F(TableMemoryTest, KnowsWhatNothingIsToBePutOn) {
   memory.keep(goal);
   EXPECT_THAT(facts(), Contains("(no-flat-top p2)"));
   EXPECT_THAT(facts(), Not(Contains("(kept p2)")));
+}
+
+/// Both go to the right, one to nearly where the other is now.
+TEST_F(TableMemoryTest, WhatIsMovedSomewhereElseLeavesRoomForAnother) {
+  TableGoal goal;
+  goal.formula = "(and (= (pos p1) spot-of-p1) (= (pos p2) spot-of-p2))";
+  goal.spots = {{"spot-of-p1", 0.12, 0.01}, {"spot-of-p2", 0.25, 0.0}};
+  const auto begun = memory.begin(goal).goal;
+  const std::string spot{waypoint_wanted(begun, "p1")};
+  EXPECT_THAT(facts(begun), Contains("(used " + spot + ")"));
+  EXPECT_THAT(facts(begun), Contains("(in-way p2 p1)"));
+  EXPECT_THAT(facts(begun), Not(Contains("(in-way p1 p2)")));
+  // Unless it stays.
+  const auto alone = "(and (= (pos p1) " + spot + "))";
+  EXPECT_THAT(facts(alone), Not(Contains("(used " + spot + ")")));
+  EXPECT_THAT(facts(alone), Not(Contains("(in-way p2 p1)")));
 }
 
 TEST_F(TableMemoryTest, RemembersHowThingsWereWhenToldTo) {

@@ -1,0 +1,134 @@
+#include "castor/planning/motivation/table_goal_maker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+/// Goals that are about the corners of the table.
+namespace castor::planning {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> all_corners{"front-left-corner", "front-right-corner",
+                                                      "back-left-corner", "back-right-corner"};
+
+/// So far from the table's edges the rim of what is in a corner is, metres.
+constexpr std::array<double, 3> from_edge{0, 0.02, 0.04};
+
+/// How much it takes to put a thing in a corner, as metres: how far it goes, and how hard that is
+/// where it is easiest. Nothing if it cannot be put there.
+std::optional<double> effort(const TableRoom& room, const TableThing& thing,
+                             std::string_view corner) {
+  const double x_side = corner.find("left") == std::string_view::npos ? 1 : -1;
+  const double y_side = corner.starts_with("front") ? -1 : 1;
+  std::optional<double> result;
+  for (const double x : from_edge)
+    for (const double y : from_edge) {
+      const TablePoint at{x_side * (table_half_width - thing.radius - x),
+                          y_side * (table_half_depth - thing.radius - y)};
+      if (const auto there = room.effort(thing, at))
+        result = std::min(result.value_or(std::numeric_limits<double>::infinity()),
+                          *there + distance(at, place_of(thing)));
+    }
+  return result;
+}
+
+/// A thing for each of the corners, or for as many as there are things and as can be reached, with
+/// the least effort.
+class CornerChoice {
+public:
+  using Things = std::vector<const TableThing*>;
+  /// Null for a corner that nothing is put in.
+  using Chosen = std::array<const TableThing*, all_corners.size()>;
+
+  CornerChoice(const TableRoom& room, const Things& things) : things_(things) {
+    for (const auto corner : all_corners) {
+      auto& efforts = efforts_.emplace_back();
+      for (const auto* x : things)
+        efforts.push_back(effort(room, *x, corner));
+    }
+  }
+
+  Chosen choose() {
+    fill(0, 0);
+    return best_;
+  }
+
+private:
+  /// More than that of all others.
+  static constexpr double of_empty_corner = 100;
+
+  void fill(std::size_t corner, double effort) {
+    if (effort >= least_)
+      return;
+    if (corner == all_corners.size()) {
+      least_ = effort;
+      best_ = chosen_;
+      return;
+    }
+    for (std::size_t i = 0; i < things_.size(); ++i)
+      if (efforts_[corner][i] && std::ranges::find(chosen_, things_[i]) == chosen_.end()) {
+        chosen_[corner] = things_[i];
+        fill(corner + 1, effort + *efforts_[corner][i]);
+        chosen_[corner] = nullptr;
+      }
+    fill(corner + 1, effort + of_empty_corner);
+  }
+
+  const Things& things_;
+  std::vector<std::vector<std::optional<double>>> efforts_;
+  Chosen chosen_{};
+  Chosen best_{};
+  double least_ = std::numeric_limits<double>::infinity();
+};
+
+} // namespace
+
+/// "One thing in each corner": those that are near.
+TableGoal TableGoalMaker::put_in_each_corner() {
+  if (things_.size() < 2)
+    return refusal("That takes two things at least.");
+  const auto chosen = CornerChoice{room_, things_}.choose();
+  const auto wanted = std::min(things_.size(), all_corners.size());
+  Things put;
+  for (std::size_t i = 0; i < all_corners.size(); ++i)
+    if (chosen[i] != nullptr) {
+      put.push_back(chosen[i]);
+      facts_.push_back(in_part(*chosen[i], std::string{all_corners[i]}));
+    }
+  if (put.size() < wanted)
+    return refusal("I do not reach so many corners of the table with them.");
+  things_ = std::move(put);
+  return goal("put " + listed(things_) + " in a corner each" + but_what_is_kept(),
+              listed(things_) + are(things_) + " in a corner each now" + but_what_is_kept());
+}
+
+/// Several things go into one corner: the one nearest to them.
+std::string TableGoalMaker::corner_for_all() const {
+  double x = 0;
+  double y = 0;
+  for (const auto* thing : things_) {
+    x += thing->x;
+    y += thing->y;
+  }
+  return std::string{y < 0 ? "front" : "back"} + (x < 0 ? "-left" : "-right") + "-corner";
+}
+
+/// From that in which the last thing was put.
+std::optional<std::string> TableGoalMaker::put_in_opposite_corner(std::string& where) {
+  const auto last = std::ranges::find_if(table_, &TableThing::is_last_moved);
+  constexpr double corner_width = 0.1;
+  constexpr double corner_depth = 0.08;
+  if (last == table_.end() || last->is_held || std::abs(last->x) < corner_width ||
+      std::abs(last->y) < corner_depth)
+    return "I do not know opposite to which corner: tell me the corner.";
+  const DirectivePlace place{std::string{last->y < 0 ? "back" : "front"} +
+                               (last->x < 0 ? "-right" : "-left") + "-corner",
+                             {}};
+  return put_in_part(place, where);
+}
+
+} // namespace castor::planning

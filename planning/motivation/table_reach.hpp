@@ -1,0 +1,33 @@
+#pragma once
+
+#include "castor/perception/spatial/types.hpp"
+#include "castor/planning/motivation/table_things.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Where on a table things can be put.
+namespace castor::planning {
+
+/// The table, from its middle; metres. As in spatial's TableArea.
+inline constexpr double table_half_width = 0.30;
+inline constexpr double table_half_depth = 0.26;
+
+/// How a thing can be put at a point, metres.
+using TableReach = std::function<spatial::Reach(const TableThing& thing, double x, double y)>;
+
+/// Where no arm has told where it reaches: in a box around the middle of the table, and perhaps
+/// elsewhere on it.
+spatial::Reach reach_in_box(const TableThing& thing, double x, double y);
+
+/// As spatial has told it. @param objects the planner's names of the things that it was told for,
+/// in that order; others may be put anywhere in the box
+TableReach reach_told(spatial::ReachQuery told, std::vector<std::string> objects);
+
+/// How much farther a thing may rather be moved than be put somewhere in that way, metres; nothing
+/// if it cannot be put there.
+std::optional<double> effort_of(spatial::Reach reach);
+
+} // namespace castor::planning
