@@ -63,7 +63,8 @@ struct OfferedLease {
 /// served, until the client claims the lease or another one requests it, which thus overtakes. A
 /// client that claims in vain gets the lease when it ends next. From the first offer to the end of
 /// overtaking passes a bounded time, after which the queue is served as it stands; the next time
-/// begins after a lock request from the queue was granted. No client overtakes its own requests.
+/// begins after a lock request from the queue was granted. A client that waits itself overtakes
+/// nobody: its request ends overtaking.
 ///
 /// Time is passed in. Only `expire` ends leases and waits that are over: call it before every other
 /// function. Waits that end by a call are collected for `take_settled`.
