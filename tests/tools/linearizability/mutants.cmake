@@ -101,14 +101,6 @@ castor_mutant(overtaking_has_no_end wm/leases/lease_table.cpp ALL
   FROM "return !row.overtaken_until || now < *row.overtaken_until;"
   TO "return true;")
 
-castor_mutant(clients_wait_for_free_entries wm/leases/lease_table.cpp
-  FROM "grant_first(row, now);
-  if (!holding)
-    return"
-  TO "return std::nullopt;
-  if (!holding)
-    return")
-
 castor_mutant(leases_outlive_holders wm/leases/lease_table.cpp
   FROM "if (*row.holding->holder == client)
       held.push_back(id);"
