@@ -22,13 +22,6 @@ bool OutstandingOperations::concern(std::uint32_t entry) const {
   });
 }
 
-bool OutstandingOperations::has_lock(std::uint32_t entry) const {
-  return std::ranges::any_of(operations_, [&](auto& x) {
-    return !x.records.empty() && world_.recorder[x.records.front()].entry == entry &&
-           world_.recorder[x.records.front()].locks();
-  });
-}
-
 Outstanding OutstandingOperations::take(std::uint64_t number, bool arrived) {
   auto& recorder = world_.recorder;
   Outstanding result = *std::ranges::find(operations_, number, &Outstanding::number);

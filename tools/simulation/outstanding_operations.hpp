@@ -48,8 +48,6 @@ public:
   bool is_awaited() const;
   /// Whether one of them is about the entry.
   bool concern(std::uint32_t entry) const;
-  /// Whether one of them is a lock of the entry.
-  bool has_lock(std::uint32_t entry) const;
 
   /// Removes and returns an answered operation. If it has arrived, so have all earlier messages on
   /// its route.

@@ -7,9 +7,6 @@ namespace castor::linearizability {
 
 void SimulatedClient::lock(OperationRecord x) {
   x.level = LockLevel(1 + world_.pick(3));
-  // An earlier lock goes first, for which it may have to wait where others need not.
-  if (world_.overtaking > Timestamp{0} && outstanding_.has_lock(x.entry))
-    x.kind = OperationKind::lock;
   auto record = world_.recorder.invoked(x);
   auto number = ++last_wait_;
   auto wait = patience(number);

@@ -21,12 +21,12 @@ std::optional<Lease> LeaseTable::try_lock(const std::string& id, const ClientPtr
                                           LockLevel level, WaitNumber number, Timestamp now) {
   auto row = rows_.try_emplace(id).first;
   auto& [holding, queue, expiry, is_excluded, overtaken_until] = row->second;
-  if (!holding) {
-    if (std::any_of(queue.begin(), queue.end(),
-                    [&](auto& x) { return x.level && *x.client == *client; }))
-      return std::nullopt;
+  auto waits_itself = [&](auto& x) { return x.level && *x.client == *client; };
+  // Nobody overtakes himself, and nobody waits for an entry that is free: so the first gets it.
+  if (!holding && std::any_of(queue.begin(), queue.end(), waits_itself))
+    grant_first(row, now);
+  if (!holding)
     return grant(row, client, level, number, now);
-  }
   if (!(*holding->holder == *client))
     return std::nullopt;
   holding->levels.push_back(level);

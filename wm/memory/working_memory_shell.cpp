@@ -222,6 +222,8 @@ Outcome<Acknowledged> WorkingMemoryShell::set_interest(const Interest& interest)
 caf::result<Outcome<Lease>> WorkingMemoryShell::lock(const LockRequest& request) {
   catch_up();
   auto result = leases_.try_lock(request, lease_now());
+  // The request may have ended the wait of another.
+  settle();
   if (result && !*result)
     return *std::move(result);
   remember_client(request.patience.client);

@@ -415,14 +415,27 @@ TEST_F(Offers, OvertakingEndsThoughTheClockIsPutBack) {
 
 TEST_F(Offers, NoClientOvertakesItself) {
   lock_now(ann, LockLevel::odr);
-  auto wait = queue_claimant(bob);
+  queue_claimant(bob);
   queue_claimant(cid);
   unlock();
   EXPECT_EQ(lock_now(cid, LockLevel::o), 0u);
+  EXPECT_EQ(settled(), Strings{"granted bob"}) << "nobody waits for an entry that is free";
   queue_claimant(cid);
-  EXPECT_EQ(table.waiting("x")->size(), 3u);
-  table.claim("x", *bob, wait, now);
+  EXPECT_EQ(table.waiting("x")->size(), 2u);
+}
+
+TEST_F(Offers, ARequestOfTheOneThatWaitsFirstIsNestedInTheLeaseThatItWaitedFor) {
+  lock_now(ann, LockLevel::odr);
+  queue_claimant(bob, LockLevel::o);
+  unlock();
+  auto token = lock_now(bob, LockLevel::od);
+  ASSERT_NE(token, 0u) << "the entry is free, and bob is awake";
   EXPECT_EQ(settled(), Strings{"granted bob"});
+  EXPECT_EQ(table.holding("x")->lease.token, token);
+  EXPECT_EQ(table.holding("x")->levels, (std::vector{LockLevel::o, LockLevel::od}));
+  EXPECT_EQ(table.waiting("x"), nullptr);
+  pass(500us);
+  EXPECT_EQ(settled(), Strings{}) << "overtaking has ended";
 }
 
 TEST_F(Offers, AnEntryThatIsOfferedIsFree) {

@@ -162,6 +162,37 @@ TEST_F(WorkingMemoryLeases, AreGrantedToWhoWasOvertakenForHalfAMillisecond) {
   EXPECT_EQ(ann.leases.size(), 2u);
 }
 
+TEST_F(WorkingMemoryLeases, AreGrantedTogetherToWhoAsksAgainForAFreeEntry) {
+  ASSERT_TRUE(add({"a", "x"}));
+  auto& ann = claimant("ann");
+  auto& bob = claimant("bob");
+  lock(ann, LockLevel::o);
+  lock_by_claim(bob);
+  unlock(ann);
+  EXPECT_EQ(bob.leases.size(), 0u) << "bob was only offered it";
+  lock(bob, LockLevel::od, 100us);
+  let_pass(100us);
+  ASSERT_EQ(bob.leases.size(), 2u);
+  ASSERT_TRUE(bob.leases[0] && bob.leases[1]) << "no wait for an entry that is free times out";
+  EXPECT_EQ(bob.leases[0]->token, bob.leases[1]->token);
+}
+
+TEST_F(WorkingMemoryLeases, AreGrantedToTheFirstWhenOneBehindAsksAgainForAFreeEntry) {
+  ASSERT_TRUE(add({"a", "x"}));
+  auto& ann = claimant("ann");
+  auto& bob = claimant("bob");
+  auto& cid = claimant("cid");
+  lock(ann, LockLevel::o);
+  lock_by_claim(bob);
+  lock_by_claim(cid);
+  unlock(ann);
+  lock(cid, LockLevel::od, 0s);
+  ASSERT_EQ(cid.leases.size(), 1u);
+  EXPECT_THAT(cid.leases[0].failure().message, HasSubstr("bob of a holds a lease"));
+  ASSERT_EQ(bob.leases.size(), 1u);
+  EXPECT_TRUE(bob.leases[0]);
+}
+
 TEST_F(WorkingMemoryLeases, ATryIsRefusedAtOnceAndSaysWhoHoldsIt) {
   ASSERT_TRUE(add({"a", "x"}));
   auto& ann = claimant("ann");
