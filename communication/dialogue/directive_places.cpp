@@ -48,6 +48,7 @@ const Words parts{{"left", "left"},
                   {"roomiest", "roomiest"},
                   {"on-top", "on-top"},
                   {"opposite-corner", "opposite-corner"},
+                  {"each-corner", "each-corner"},
                   {"there", "there"},
                   {"table", "table"},
                   {"some-way", "some-way"}};

@@ -28,11 +28,12 @@ constexpr std::size_t longest_part = 10;
 
 /// What may not be left out, and makes a request another one.
 bool decides(std::string_view word) {
-  return is_among(word, {"not",     "n't",    "no",      "never", "nothing", "without",  "except",
-                         "but",     "unless", "until",   "if",    "only",    "instead",  "or",
-                         "none",    "non",    "neither", "nor",   "avoid",   "opposite", "reverse",
-                         "pretend", "half",   "when",    "who",   "what",    "which",    "where",
-                         "why",     "how",    "whose",   "than"});
+  return is_among(word, {"not",     "n't",    "no",      "never",  "nothing", "without",  "except",
+                         "but",     "unless", "until",   "if",     "only",    "instead",  "or",
+                         "none",    "non",    "neither", "nor",    "avoid",   "opposite", "reverse",
+                         "pretend", "half",   "when",    "nobody", "nowhere", "almost",   "nearly",
+                         "hardly",  "barely", "mean",    "rather", "who",     "what",     "which",
+                         "where",   "why",    "how",     "whose",  "than"});
 }
 
 bool may_ask(std::string_view word) {
@@ -73,9 +74,12 @@ public:
       return std::nullopt;
     for (const auto& verb : verbs())
       for (const bool with_pronouns : {true, false})
-        for (const bool things_first : {false, true})
-          if (auto result = request_of(verb, with_pronouns, things_first))
+        for (const bool things_first : {false, true}) {
+          // Of several things, "it" is one.
+          const bool is_clear = with_pronouns || things_ == 1;
+          if (auto result = is_clear ? request_of(verb, with_pronouns, things_first) : std::nullopt)
             return result;
+        }
     return std::nullopt;
   }
 
@@ -136,7 +140,9 @@ private:
 
   /// With an article, if there should be one.
   std::optional<WordList> thing_of(const WordList& said) {
-    if (is_pronoun_word(said.front()) && said.size() == 1)
+    // "The zorgish one" is not any.
+    if (said.size() == 1 &&
+        (is_pronoun_word(said.front()) || is_among(said.front(), {"one", "ones"})))
       return std::nullopt;
     if (is_thing(said))
       return said;
@@ -163,6 +169,10 @@ private:
 
   bool is_place(const WordList& said) {
     if (said.size() == 1 && !is_among(said.front(), {"left", "right", "together"}))
+      return false;
+    // "Weld the cube to the ball" does not say where the cube is to go.
+    const bool may_be_otherwise = is_among(said.front(), {"to", "in", "into", "over", "at"});
+    if (may_be_otherwise && is_thing(words_between(said, 1, said.size())))
       return false;
     for (const auto* pronoun : {"it", "them"}) {
       WordList request{"put", pronoun};
@@ -195,7 +205,7 @@ private:
                   "each",  "every",       "apart",       "two",    "three",  "four",   "five",
                   "cm",    "centimetres", "centimeters", "far"}))
       return true;
-    return lexicon().knows(word) && !is_among(word, {"a", "the", "i", "you", "one"}) &&
+    return lexicon().knows(word) && !is_among(word, {"a", "the", "i", "you"}) &&
            (is_thing({"the", word}) || is_thing({"the", word, "thing"}));
   }
 
