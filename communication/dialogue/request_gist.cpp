@@ -164,7 +164,8 @@ private:
 
   /// "Please", "real quick".
   bool says_nothing(const std::string& word) const {
-    return lexicon().filler(word) != nullptr || lexicon().is_in(WordClass::aside, word);
+    return !begins_place_phrase(word) &&
+           (lexicon().filler(word) != nullptr || lexicon().is_in(WordClass::aside, word));
   }
 
   bool is_place(const WordList& said) {
@@ -194,8 +195,6 @@ private:
   }
 
   bool matters(const std::string& word) {
-    if (says_nothing(word) || is_recipient(word) || word == ",")
-      return false;
     if (std::isdigit(static_cast<unsigned char>(word.front())) != 0)
       return true;
     if (is_among(word,
@@ -205,6 +204,8 @@ private:
                   "each",  "every",       "apart",       "two",    "three",  "four",   "five",
                   "cm",    "centimetres", "centimeters", "far"}))
       return true;
+    if (says_nothing(word) || is_recipient(word) || word == ",")
+      return false;
     return lexicon().knows(word) && !is_among(word, {"a", "the", "i", "you"}) &&
            (is_thing({"the", word}) || is_thing({"the", word, "thing"}));
   }

@@ -23,9 +23,13 @@ std::string gist_of(const std::string& said) {
 
 TEST(RequestGist, LeavesOutWordsThatSayNothingOfAThingOrAPlace) {
   EXPECT_EQ(gist_of("Would you mind zorging the blue ball just left of the purple ball?"),
-            "put the blue ball left of the purple ball");
+            "put the blue ball just left of the purple ball");
   EXPECT_EQ(gist_of("Let the little green one loiter between the cylinder and the red cube."),
             "put the little green one between the cylinder and the red cube");
+  EXPECT_EQ(gist_of("Zorg that red cube over to the right side for me."),
+            "put that red cube over to the right side for me");
+  EXPECT_EQ(gist_of("Zorg the red cube next to the blue ball real quick."),
+            "put the red cube next to the blue ball");
 }
 
 TEST(RequestGist, TakesPlacesThatAreSaidFirst) {
