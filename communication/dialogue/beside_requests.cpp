@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/aside_clauses.hpp"
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
@@ -34,8 +35,7 @@ std::string text_of(const WordList& words) {
 }
 
 WordList piece(const WordList& words, std::size_t begin, std::size_t end) {
-  WordList result(std::next(words.begin(), static_cast<std::ptrdiff_t>(begin)),
-                  std::next(words.begin(), static_cast<std::ptrdiff_t>(end)));
+  auto result = words_between(words, begin, end);
   while (!result.empty() && result.back() == ",")
     result.pop_back();
   return result;

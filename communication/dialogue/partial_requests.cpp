@@ -11,7 +11,6 @@
 #include "castor/communication/dialogue/request_gist.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
-#include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
@@ -311,9 +310,7 @@ private:
 
   std::optional<LogicalForm> thing_in(WordList phrase) {
     const auto form = parse(std::move(phrase));
-    return form && is_thing_phrase(*form)
-             ? std::optional{unpack(*form, form->readings.front().id).front()}
-             : std::nullopt;
+    return form ? thing_said(*form) : std::nullopt;
   }
 
   // -- where something is to go

@@ -5,7 +5,6 @@
 #include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
-#include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
@@ -156,10 +155,8 @@ private:
   /// Where it is, the grammar adds: "put the ball on the left" has no ball that is there.
   bool is_thing(const WordList& said) {
     const auto form = parse(said);
-    if (!form || !is_thing_phrase(*form))
-      return false;
-    const auto thing = unpack(*form, form->readings.front().id).front();
-    return dependent(thing, *find_nominal(thing, thing.root), "Location") == nullptr;
+    const auto thing = form ? thing_said(*form) : std::nullopt;
+    return thing && dependent(*thing, *find_nominal(*thing, thing->root), "Location") == nullptr;
   }
 
   /// "Please", "real quick".

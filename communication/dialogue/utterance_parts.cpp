@@ -6,6 +6,7 @@
 #include "castor/communication/parsing/packing.hpp"
 
 #include <iterator>
+#include <utility>
 
 namespace castor::communication {
 
@@ -35,10 +36,10 @@ DialogueMove move_of(const PackedLogicalForm& form, const Lexicon& lexicon) {
   return result;
 }
 
-bool is_thing_phrase(const PackedLogicalForm& form) {
-  const auto said = unpack(form, form.readings.front().id).front();
+std::optional<LogicalForm> thing_said(const PackedLogicalForm& form) {
+  auto said = unpack(form, form.readings.front().id).front();
   const auto& root = *find_nominal(said, said.root);
-  return root.sort == "thing" && !is_pronoun(root);
+  return root.sort == "thing" && !is_pronoun(root) ? std::optional{std::move(said)} : std::nullopt;
 }
 
 } // namespace castor::communication

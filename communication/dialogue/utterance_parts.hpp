@@ -4,6 +4,7 @@
 #include "castor/communication/types.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ std::string written(const std::vector<std::string>& words);
 
 DialogueMove move_of(const PackedLogicalForm& form, const Lexicon& lexicon);
 
-/// Whether it is said of a thing, and by no pronoun: "the red ball".
-bool is_thing_phrase(const PackedLogicalForm& form);
+/// What is said of a thing, and by no pronoun: "the red ball"; nothing if something else is said.
+std::optional<LogicalForm> thing_said(const PackedLogicalForm& form);
 
 } // namespace castor::communication

@@ -94,12 +94,12 @@ Reach ReachOfThing::at(const GroundPoint& point) const {
   return ways_around(reach_, point, height_) != 0 ? Reach::perhaps : Reach::none;
 }
 
-std::vector<Reach> reach_on_squares(const ReachOfThing& thing, const ReachableTable& reach) {
+std::vector<Reach> ReachOfThing::on_squares() const {
   std::vector<Reach> result;
-  for (std::uint32_t row = 0; row + 1 < reach.rows; ++row)
-    for (std::uint32_t column = 0; column + 1 < reach.columns; ++column)
-      result.push_back(thing.at(
-        {reach.low.x + (column + 0.5) * reach.step, reach.low.y + (row + 0.5) * reach.step}));
+  for (std::uint32_t row = 0; row + 1 < reach_.rows; ++row)
+    for (std::uint32_t column = 0; column + 1 < reach_.columns; ++column)
+      result.push_back(at(
+        {reach_.low.x + (column + 0.5) * reach_.step, reach_.low.y + (row + 0.5) * reach_.step}));
   return result;
 }
 

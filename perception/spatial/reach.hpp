@@ -29,6 +29,10 @@ public:
   /// \throws as ways_at
   Reach at(const GroundPoint& point) const;
 
+  /// In the middle of each square between the points of the grid, by rows, then columns.
+  /// \throws as ways_at
+  std::vector<Reach> on_squares() const;
+
 private:
   ReachableTable reach_;
   double height_;
@@ -36,9 +40,5 @@ private:
   /// As it can be held somewhere where it can also be held as it is here.
   std::uint32_t ways_by_stop_;
 };
-
-/// How it can be put in the middle of each square between the points of the grid.
-/// \throws as ways_at
-std::vector<Reach> reach_on_squares(const ReachOfThing& thing, const ReachableTable& reach);
 
 } // namespace castor::spatial

@@ -147,7 +147,7 @@ std::optional<std::string> TableGoalMaker::put_further(const Shift& shift, doubl
   for (const auto* x : things_) {
     if (x->is_held)
       return "I hold " + x->words + ": tell me where to put it.";
-    TableSpot spot{"spot-of-" + x->object, x->x + length * shift.x, x->y + length * shift.y};
+    auto spot = spot_for(*x, {x->x + length * shift.x, x->y + length * shift.y});
     if (!is_on_table(spot.x, spot.y))
       return "There " + x->words + " would not be on the table any more.";
     if (!room_.can_be_put(*x, {spot.x, spot.y}))

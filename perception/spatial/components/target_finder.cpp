@@ -101,7 +101,7 @@ class TargetFinder final : public UnmanagedComponent {
     query.columns = reach->columns - 1;
     query.rows = reach->rows - 1;
     for (auto& x : query.things)
-      x.squares = reach_on_squares(reach_of(*reach, x.thing, x.height), *reach);
+      x.squares = reach_of(*reach, x.thing, x.height).on_squares();
     return query;
   }
 

@@ -64,22 +64,14 @@ protected:
     return result;
   }
 
-  /// Where things can be put.
+  /// Where things can be put; asked for when it is first needed. The things have to outlive it.
   TableReach reach_of(const std::vector<TableThing>& things) {
-    spatial::ReachQuery query;
-    std::vector<std::string> objects;
-    for (const auto& x : things) {
-      const auto* known = memory_.thing(x.object);
-      auto at = known == nullptr || known->is_held ? std::string{} : location_of(known->seen.id);
-      // What stands on another thing vision may see as one with it.
-      if (known == nullptr || !known->on.empty() || (at.empty() && !known->is_held))
-        continue;
-      query.things.push_back({std::move(at), known->seen.height});
-      objects.push_back(x.object);
-    }
-    return reach_told(
-      call<spatial::ReachQuery, spatial::ReachQuery>(spatial(), query, {.timeout = patience()}),
-      std::move(objects));
+    return
+      [this, &things, told = TableReach{}](const TableThing& thing, double x, double y) mutable {
+        if (!told)
+          told = ask_reach(things);
+        return told(thing, x, y);
+      };
   }
 
   /// Whether it is where it was to be, as far as that can be seen.
@@ -118,6 +110,23 @@ protected:
   }
 
 private:
+  TableReach ask_reach(const std::vector<TableThing>& things) {
+    spatial::ReachQuery query;
+    std::vector<std::string> objects;
+    for (const auto& x : things) {
+      const auto* known = memory_.thing(x.object);
+      auto at = known == nullptr || known->is_held ? std::string{} : location_of(known->seen.id);
+      // What stands on another thing vision may see as one with it.
+      if (known == nullptr || !known->on.empty() || (at.empty() && !known->is_held))
+        continue;
+      query.things.push_back({std::move(at), known->seen.height});
+      objects.push_back(x.object);
+    }
+    return reach_told(
+      call<spatial::ReachQuery, spatial::ReachQuery>(spatial(), query, {.timeout = patience()}),
+      std::move(objects));
+  }
+
   /// The location of a thing, or of what it stands on, which vision may see as one with it; empty
   /// if neither is seen.
   std::string location_seen(const std::string& name) const {

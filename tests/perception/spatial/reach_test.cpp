@@ -89,7 +89,7 @@ TEST(Reach, IsDirectWhereAThingCanBeHeldAsItIs) {
 
 TEST(Reach, OnSquaresIsThatInTheirMiddles) {
   const ReachOfThing low{reach(), 0.02, 0b001};
-  EXPECT_EQ(reach_on_squares(low, reach()),
+  EXPECT_EQ(low.on_squares(),
             (std::vector{low.at({0.05, 0.05}), low.at({0.15, 0.05})}));
 }
 
