@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace castor {
 
@@ -18,23 +19,36 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
   if (longer > longest_name || longer - std::min(a.size(), b.size()) > limit)
     return limit + 1;
   using Row = std::array<std::size_t, longest_name + 1>;
-  Row before_last{};
-  Row last{};
-  Row current{};
+  std::array<Row, 3> rows{};
+  auto* before_last = &rows[0];
+  auto* last = &rows[1];
+  auto* current = &rows[2];
+  const auto above = limit + 1;
+  // What is farther from the diagonal than the limit is above it, on either side of what is
+  // computed.
   for (std::size_t j = 0; j <= b.size(); ++j)
-    last[j] = j;
+    (*last)[j] = std::min(j, above);
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    current[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      auto replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      current[j] = std::min({last[j] + 1, current[j - 1] + 1, replaced});
+    const auto begin = i > limit ? i - limit : 1;
+    const auto end = std::min(b.size(), i + limit);
+    (*current)[begin - 1] = begin == 1 ? std::min(i, above) : above;
+    auto least = (*current)[begin - 1];
+    for (auto j = begin; j <= end; ++j) {
+      const auto replaced = (*last)[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      auto distance = std::min({(*last)[j] + 1, (*current)[j - 1] + 1, replaced, above});
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        current[j] = std::min(current[j], before_last[j - 2] + 1);
+        distance = std::min(distance, (*before_last)[j - 2] + 1);
+      (*current)[j] = distance;
+      least = std::min(least, distance);
     }
-    before_last = last;
-    last = current;
+    if (end < b.size())
+      (*current)[end + 1] = above;
+    if (least > limit)
+      return above;
+    auto* const free = std::exchange(before_last, last);
+    last = std::exchange(current, free);
   }
-  return std::min(last[b.size()], limit + 1);
+  return (*last)[b.size()];
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {

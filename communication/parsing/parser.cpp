@@ -28,20 +28,20 @@ Parser::Parser(std::shared_ptr<const Lexicon> lexicon, ParserOptions options)
 }
 
 PackedLogicalForm Parser::parse(std::string_view utterance) {
-  return form_of(words_of(utterance));
+  return parse_of(words_of(utterance)).form();
 }
 
 std::optional<PackedLogicalForm> Parser::parse_whole(std::vector<std::string> words) {
-  auto form = form_of(std::move(words));
-  return is_understood(form) ? std::optional{std::move(form)} : std::nullopt;
+  const auto parse = parse_of(std::move(words));
+  return parse.is_understood() ? std::optional{parse.form()} : std::nullopt;
 }
 
-PackedLogicalForm Parser::form_of(std::vector<std::string> words) {
+IncrementalParse Parser::parse_of(std::vector<std::string> words) {
   IncrementalParse parse(*this);
   for (auto& word : words)
     parse.add(std::move(word));
   parse.finish();
-  return parse.form();
+  return parse;
 }
 
 std::vector<LogicalForm> Parser::readings(std::string_view utterance) {
@@ -95,6 +95,10 @@ std::vector<const Meaning*> IncrementalParse::meanings() const {
   if (found.size() > parser_.options().readings)
     found.resize(parser_.options().readings);
   return found;
+}
+
+bool IncrementalParse::is_understood() const {
+  return ignored_words_.empty() && !meanings().empty();
 }
 
 LogicalForm IncrementalParse::form_of(const Meaning& meaning) const {

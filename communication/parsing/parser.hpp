@@ -44,7 +44,7 @@ public:
   CombinatoryGrammar& grammar() { return grammar_; }
 
 private:
-  PackedLogicalForm form_of(std::vector<std::string> words);
+  IncrementalParse parse_of(std::vector<std::string> words);
 
   std::shared_ptr<const Lexicon> lexicon_;
   ParserOptions options_;
@@ -67,6 +67,9 @@ public:
   /// analysis spans all words, the form consists of fragments, as few as possible; at the end,
   /// `unparsable` has the places between them. Nothing is guessed.
   PackedLogicalForm form() const;
+
+  /// Whether one analysis spans all words. Costs less than form().
+  bool is_understood() const;
 
   const Chart& chart() const { return chart_; }
 
