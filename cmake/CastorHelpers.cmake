@@ -191,7 +191,8 @@ endfunction()
 # A GoogleTest executable whose every test is known to CTest; a test may take TIMEOUT, 120 by default.
 # CORE tests are run under sanitizers, too: the target core_tests builds them, and they have the label
 # core. Those that are DETERMINISTIC have neither threads nor a clock. They are CORE, and otherwise
-# left out without CASTOR_DETERMINISTIC_TESTS, as one build of them is enough.
+# left out without CASTOR_DETERMINISTIC_TESTS, as one build of them is enough. Under sanitizers they
+# are known to CTest in a few parts only: to start a process takes longer there than most tests.
 function(castor_test name)
   cmake_parse_arguments(ARG "CORE;DETERMINISTIC" "TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
   castor_executable(${name} SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS} GTest::gtest_main)
@@ -206,6 +207,16 @@ function(castor_test name)
   endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
+  endif()
+  if(ARG_DETERMINISTIC AND CASTOR_SANITIZE)
+    set(parts 6)
+    foreach(part RANGE 1 ${parts})
+      math(EXPR index "${part} - 1")
+      add_test(NAME ${name}.part${part} COMMAND ${name})
+      set_tests_properties(${name}.part${part} PROPERTIES LABELS ${label} TIMEOUT 900
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${index}")
+    endforeach()
+    return()
   endif()
   gtest_discover_tests(${name}
     DISCOVERY_TIMEOUT 60
