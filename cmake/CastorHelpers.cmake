@@ -188,7 +188,8 @@ endfunction()
 
 # castor_test(<name> SOURCES <file>... [DEPENDS <target>...] [CORE | DETERMINISTIC] [TIMEOUT <seconds>])
 #
-# A GoogleTest executable whose every test is known to CTest; a test may take TIMEOUT, 120 by default.
+# A GoogleTest executable whose every test is known to CTest; a test may take TIMEOUT, 120 by default,
+# and three times as long under sanitizers.
 # CORE tests are run under sanitizers, too: the target core_tests builds them, and they have the label
 # core. Those that are DETERMINISTIC have neither threads nor a clock. They are CORE, and otherwise
 # left out without CASTOR_DETERMINISTIC_TESTS, as one build of them is enough. Under sanitizers they
@@ -208,8 +209,11 @@ function(castor_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
+  if(CASTOR_SANITIZE)
+    math(EXPR ARG_TIMEOUT "3 * ${ARG_TIMEOUT}")
+  endif()
   if(ARG_DETERMINISTIC AND CASTOR_SANITIZE)
-    set(parts 6)
+    set(parts 8)
     foreach(part RANGE 1 ${parts})
       math(EXPR index "${part} - 1")
       add_test(NAME ${name}.part${part} COMMAND ${name})
