@@ -36,6 +36,99 @@ bool turn(LogicalForm& request) {
   return false;
 }
 
+void set_feature(Nominal& x, std::string_view name, std::string_view value) {
+  std::erase_if(x.features, [&](auto& feature) { return feature.name == name; });
+  x.features.push_back({std::string{name}, std::string{value}});
+}
+
+/// "Either of them", "both": how many of those are meant that may be; empty if it does not say.
+std::string all_or_any(const LogicalForm& form, const Nominal& fragment) {
+  if (fragment.sort == "marker")
+    return fragment.proposition == "either" ? "any" : "";
+  const auto* whole = dependent(form, fragment, "PartOf");
+  const auto* number = dependent(form, fragment, "Quantity");
+  // "Both" is "they two".
+  if (fragment.proposition == "they" && number != nullptr && number->proposition == "two")
+    return "both";
+  const auto all = feature(fragment, "Delimitation");
+  const bool is_alone = fragment.relations.size() == (whole == nullptr ? 0U : 1U);
+  const bool is_of_these = whole == nullptr || is_pronoun(*whole);
+  return fragment.proposition == "one" && is_alone && is_of_these &&
+             (all == "any" || all == "both")
+           ? std::string{all}
+           : std::string{};
+}
+
+/// "Behind the ball." "Which ball?" "Behind the blue one." says the place once more.
+bool is_other_place(const LogicalForm& form, const std::string& asked, const Nominal& fragment) {
+  return fragment.sort == "region" && std::ranges::any_of(form.nominals, [&](const Nominal& x) {
+           const auto* anchor = dependent(form, x, "Anchor");
+           return anchor != nullptr && anchor->name == asked &&
+                  x.proposition == fragment.proposition;
+         });
+}
+
+/// "Not the blue one": the thing that was asked about does not have that.
+/// \returns false if more is said than one quality
+bool exclude(LogicalForm& form, Nominal& asked, const Nominal& fragment) {
+  if (fragment.relations.size() != 1)
+    return false;
+  const auto& [mode, property] = fragment.relations.front();
+  if (mode != "Colour" && mode != "Size" && mode != "Shape" && mode != "Material")
+    return false;
+  set_feature(*find_nominal(form, property), "Polarity", "neg");
+  asked.relations.push_back({mode, property});
+  return true;
+}
+
+/// "On the left", "blue", "the bigger": what tells the thing that was asked about from others.
+bool tell_apart(LogicalForm& form, const std::string& asked, const std::string& fragment) {
+  constexpr std::array<std::array<std::string_view, 2>, 4> properties{
+    {{"colour", "Colour"}, {"size", "Size"}, {"shape", "Shape"}, {"material", "Material"}}};
+  constexpr std::array<std::array<std::string_view, 2>, 5> sides{{{"left", "leftmost"},
+                                                                  {"right", "rightmost"},
+                                                                  {"front", "frontmost"},
+                                                                  {"here", "frontmost"},
+                                                                  {"back", "backmost"}}};
+  auto relate = [&](std::string_view mode) {
+    find_nominal(form, asked)->relations.push_back({std::string{mode}, fragment});
+    return true;
+  };
+  auto& said = *find_nominal(form, fragment);
+  if (said.sort == "selection") {
+    std::erase_if(said.features, [](auto& x) { return x.name == "Of"; });
+    return relate("Selection");
+  }
+  for (const auto& [sort, mode] : properties)
+    if (said.sort == sort)
+      return relate(mode);
+  if (said.sort != "region" && said.sort != "place")
+    return false;
+  // Of those that may be meant, whatever is on either side of the table.
+  if (dependent(form, said, "Anchor") == nullptr && dependent(form, said, "Owner") == nullptr)
+    for (const auto& [side, selection] : sides)
+      if (said.proposition == side) {
+        said = {said.name, "selection", std::string{selection}, {}, {}};
+        return relate("Selection");
+      }
+  if (said.sort != "region")
+    return false;
+  relate("Location");
+  // "Front left": what is in front and on the left.
+  constexpr std::string_view corner = "-corner";
+  const auto middle = said.proposition.find('-');
+  if (said.proposition.ends_with(corner) && middle != std::string::npos) {
+    const auto end = said.proposition.size() - corner.size();
+    auto other = said;
+    other.name += "-side";
+    other.proposition = said.proposition.substr(std::min(middle + 1, end), end - std::min(middle + 1, end));
+    said.proposition.resize(middle);
+    find_nominal(form, asked)->relations.push_back({"Location", other.name});
+    form.nominals.push_back(std::move(other));
+  }
+  return true;
+}
+
 } // namespace
 
 std::string append(LogicalForm& form, const LogicalForm& other, Antecedents& antecedents,
@@ -61,11 +154,19 @@ std::string append(LogicalForm& form, const LogicalForm& other, Antecedents& ant
 
 bool clarify(CompleteMove& question, const std::string& nominal, const LogicalForm& said,
              const Antecedents& antecedents, const Vocabulary& vocabulary) {
-  const auto name = append(question.move.content, said, question.antecedents, antecedents);
-  auto* asked = find_nominal(question.move.content, nominal);
-  const auto* fragment = find_nominal(question.move.content, name);
-  if (asked == nullptr || fragment == nullptr || fragment->sort != "thing")
+  auto& form = question.move.content;
+  const auto name = append(form, said, question.antecedents, antecedents);
+  auto* asked = find_nominal(form, nominal);
+  const auto* fragment = find_nominal(form, name);
+  if (asked == nullptr || fragment == nullptr)
     return false;
+  if (const auto all = all_or_any(form, *fragment); !all.empty() && !is_pronoun(*asked)) {
+    set_feature(*asked, "Delimitation", all);
+    set_feature(*asked, "Number", all == "both" ? "pl" : "sg");
+    return true;
+  }
+  if (fragment->sort != "thing")
+    return !is_pronoun(*asked) && !is_other_place(form, nominal, *fragment) && tell_apart(form, nominal, name);
   // "This one."
   const std::string at{pointed_at};
   if (auto shown = question.antecedents.find(name + at); shown != question.antecedents.end()) {
@@ -74,6 +175,9 @@ bool clarify(CompleteMove& question, const std::string& nominal, const LogicalFo
   }
   if (is_pronoun(*fragment))
     return false;
+  // "Not the blue one."
+  if (is_negated(*fragment))
+    return exclude(form, *asked, *fragment);
   // What "this" is has been said now.
   if (is_pronoun(*asked)) {
     asked->proposition = fragment->proposition == "one" ? "thing" : fragment->proposition;

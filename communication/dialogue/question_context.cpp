@@ -13,6 +13,7 @@
 #include <array>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace castor::communication {
 
@@ -266,6 +267,34 @@ std::optional<CompleteMove> QuestionContext::put_topic(const CompleteMove& place
   return result;
 }
 
+/// "The blue one", "on the left", "either of them" to "which ball do you mean?".
+std::optional<CompleteMove> QuestionContext::clarified(const DialogueMove& move,
+                                                       const Antecedents& antecedents) const {
+  if (!unclear_ || !move.problem.empty())
+    return std::nullopt;
+  // "Right" is a side, too.
+  std::vector<const LogicalForm*> fragments{&move.content};
+  for (const auto& x : move.alternatives)
+    fragments.push_back(&x);
+  std::optional<CompleteMove> result;
+  for (const auto* said : fragments) {
+    const auto* root = find_nominal(*said, said->root);
+    if (root == nullptr || dialogue_move_type(*said) != DialogueMoveType::none ||
+        root->proposition == "robot")
+      continue;
+    auto told = *unclear_;
+    if (!clarify(told, asked_about_, *said, antecedents, *vocabulary_))
+      continue;
+    take_into_proposal(told.move, *said);
+    if (!result) {
+      result = std::move(told);
+      result->move.alternatives.clear();
+    } else
+      result->move.alternatives.push_back(std::move(told.move.content));
+  }
+  return result;
+}
+
 void QuestionContext::rename(const RenamedThings& renamed) {
   for (auto* move : {&question_, &clause_, &unclear_, &topic_, &proposed_})
     if (*move)
@@ -327,19 +356,14 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
         keep_landmark(again);
         return again;
       }
+  if (auto told = clarified(move, antecedents))
+    return *told;
   if (move.type != DialogueMoveType::none || !move.problem.empty() || move.content.nominals.empty())
     return result;
   // "Do you, robot?" names who is spoken to, and asks nothing of another thing.
   if (const auto* root = find_nominal(move.content, move.content.root);
       root == nullptr || root->proposition == "robot")
     return result;
-  if (unclear_) {
-    auto clarified = *unclear_;
-    if (clarify(clarified, asked_about_, move.content, antecedents, *vocabulary_)) {
-      take_into_proposal(clarified.move, move.content);
-      return clarified;
-    }
-  }
   if (auto order = put_topic(result))
     return *order;
   // "The red cube on the green one", where nothing else was asked.

@@ -39,6 +39,8 @@ private:
   void replace_one(LogicalForm& form) const;
   void keep_landmark(CompleteMove& move) const;
   void resolve_there(CompleteMove& move) const;
+  std::optional<CompleteMove> clarified(const DialogueMove& move,
+                                        const Antecedents& antecedents) const;
   std::optional<CompleteMove> put_topic(const CompleteMove& place) const;
 
   std::shared_ptr<const Vocabulary> vocabulary_;

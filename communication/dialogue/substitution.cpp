@@ -115,8 +115,12 @@ private:
   /// "The red one" is a thing of the kind that was spoken of.
   void inherit(const Nominal& from) {
     auto* fragment = find_nominal(form_, fragment_.name);
-    if (fragment->proposition == "one" && !is_pronoun(from))
+    if (fragment->proposition == "one" && !is_pronoun(from)) {
       fragment->proposition = from.proposition;
+      // "Take the ball. I meant the green one.": where no ball is green, the green thing.
+      if (find_nominal(form_, form_.root)->sort == "action")
+        fragment->features.push_back({"Called", "one"});
+    }
     // "How many balls are red? And how many are green?" is about as many.
     if (feature(*fragment, "Delimitation").empty() && is_plural(*fragment))
       for (auto& relation : from.relations)
