@@ -74,6 +74,8 @@ const Words relations{{"on", "on"},
                       {"equidistant", "equidistant"},
                       {"in-line", "in-line"},
                       {"other-side", "other-side"},
+                      {"closer", "closer"},
+                      {"farther", "farther"},
                       {"both-sides", "both-sides"},
                       {"place-of", "where"},
                       {"place-before-of", "where-before"}};

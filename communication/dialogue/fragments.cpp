@@ -41,6 +41,34 @@ void set_feature(Nominal& x, std::string_view name, std::string_view value) {
   x.features.push_back({std::string{name}, std::string{value}});
 }
 
+/// \param centimetres none if empty
+void set_degree(Nominal& region, std::string_view degree, std::string_view centimetres = {}) {
+  set_feature(region, "Degree", degree);
+  std::erase_if(region.features, [](auto& x) { return x.name == "Centimetres"; });
+  if (!centimetres.empty())
+    region.features.push_back({"Centimetres", std::string{centimetres}});
+}
+
+/// "A bit more", "closer", "not so far" after a place at a thing: the gap between both becomes
+/// narrower or wider.
+/// \returns whether the place is one with a gap
+bool change_gap(Nominal& region, std::string_view more) {
+  constexpr std::array<std::string_view, 7> towards{"near", "next_to",  "to",    "at",
+                                                    "by",   "touching", "closer"};
+  constexpr std::array<std::string_view, 12> off{
+    "left",           "right",         "front", "back", "directly-left", "directly-right",
+    "directly-front", "directly-back", "away",  "from", "far",           "farther"};
+  const bool goes_towards = std::ranges::find(towards, region.proposition) != towards.end();
+  if (!goes_towards && std::ranges::find(off, region.proposition) == off.end())
+    return false;
+  const bool is_closer =
+    more == "closer" || (more != "farther" && goes_towards == (more != "half-back"));
+  const bool is_number = std::isdigit(static_cast<unsigned char>(more.front())) != 0;
+  region.proposition = is_closer ? "closer" : "farther";
+  set_degree(region, more == "more" ? "more" : "small", is_number ? more : std::string_view{});
+  return true;
+}
+
 /// "Either of them", "both": how many of those are meant that may be; empty if it does not say.
 std::string all_or_any(const LogicalForm& form, const Nominal& fragment) {
   if (fragment.sort == "marker")
@@ -53,8 +81,7 @@ std::string all_or_any(const LogicalForm& form, const Nominal& fragment) {
   const auto all = feature(fragment, "Delimitation");
   const bool is_alone = fragment.relations.size() == (whole == nullptr ? 0U : 1U);
   const bool is_of_these = whole == nullptr || is_pronoun(*whole);
-  return fragment.proposition == "one" && is_alone && is_of_these &&
-             (all == "any" || all == "both")
+  return fragment.proposition == "one" && is_alone && is_of_these && (all == "any" || all == "both")
            ? std::string{all}
            : std::string{};
 }
@@ -121,7 +148,8 @@ bool tell_apart(LogicalForm& form, const std::string& asked, const std::string& 
     const auto end = said.proposition.size() - corner.size();
     auto other = said;
     other.name += "-side";
-    other.proposition = said.proposition.substr(std::min(middle + 1, end), end - std::min(middle + 1, end));
+    other.proposition =
+      said.proposition.substr(std::min(middle + 1, end), end - std::min(middle + 1, end));
     said.proposition.resize(middle);
     find_nominal(form, asked)->relations.push_back({"Location", other.name});
     form.nominals.push_back(std::move(other));
@@ -166,7 +194,8 @@ bool clarify(CompleteMove& question, const std::string& nominal, const LogicalFo
     return true;
   }
   if (fragment->sort != "thing")
-    return !is_pronoun(*asked) && !is_other_place(form, nominal, *fragment) && tell_apart(form, nominal, name);
+    return !is_pronoun(*asked) && !is_other_place(form, nominal, *fragment) &&
+           tell_apart(form, nominal, name);
   // "This one."
   const std::string at{pointed_at};
   if (auto shown = question.antecedents.find(name + at); shown != question.antecedents.end()) {
@@ -228,34 +257,63 @@ bool correct_number(CompleteMove& statement, const LogicalForm& said,
   return true;
 }
 
-LogicalForm repeated(LogicalForm request, std::string_view more) {
+bool asks_for_more(const LogicalForm& said) {
+  const auto asks = [](const Nominal* x) {
+    return x != nullptr && x->sort == "action" && x->proposition == "same" &&
+           !feature(*x, "More").empty();
+  };
+  const auto* root = find_nominal(said, said.root);
+  return asks(root) ||
+         (root != nullptr && root->sort == "conjunction" && asks(dependent(said, *root, "First")) &&
+          asks(dependent(said, *root, "Next")));
+}
+
+std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, bool has_unit) {
   constexpr std::array<std::string_view, 4> sides{"left", "right", "front", "back"};
   const auto* root = find_nominal(request, request.root);
   const auto* destination = root == nullptr ? nullptr : dependent(request, *root, "Destination");
-  if (destination == nullptr || dependent(request, *destination, "Anchor") != nullptr ||
-      more == "again")
+  const bool is_number = std::isdigit(static_cast<unsigned char>(more.front())) != 0;
+  // "Take two balls. Three more.": no centimetres.
+  if (is_number && !has_unit &&
+      (destination == nullptr || feature(*destination, "Centimetres").empty()))
+    return std::nullopt;
+  if (more == "again")
     return request;
+  const bool is_of_gap = more == "closer" || more == "farther";
+  if (destination == nullptr)
+    return is_of_gap ? std::nullopt : std::optional{request};
   auto& region = *find_nominal(request, destination->name);
+  if (const auto* landmark = dependent(request, *destination, "Anchor")) {
+    const bool is_changed = landmark->sort == "thing" && change_gap(region, more);
+    return is_changed || !is_of_gap ? std::optional{request} : std::nullopt;
+  }
   auto side = region.proposition.substr(region.proposition.find('-') + 1);
   const auto known = std::ranges::find(sides, side);
+  // To who speaks, in front.
+  if (is_of_gap) {
+    if (side != "front" && side != "back" && side != "here")
+      return std::nullopt;
+    region.proposition = more == "closer" ? "further-front" : "further-back";
+    set_degree(region, "small");
+    return request;
+  }
   if (known == sides.end())
     return request;
-  std::string centimetres;
   if (more == "half-back") {
     // Opposites follow each other; without a length it went as far as "further" or "a bit" says.
     side = sides[static_cast<std::size_t>(known - sides.begin()) ^ 1U];
     const auto length = feature(region, "Centimetres");
     int number = feature(region, "Degree") == "small" ? 4 : 8;
     std::from_chars(length.data(), length.data() + length.size(), number);
-    centimetres = std::to_string(std::max(number / 2, 1));
-  } else if (std::isdigit(static_cast<unsigned char>(more.front())) != 0)
-    centimetres = more;
+    region.proposition = "further-" + side;
+    set_degree(region, "more", std::to_string(std::max(number / 2, 1)));
+    return request;
+  }
   region.proposition = "further-" + side;
-  std::erase_if(region.features,
-                [](auto& x) { return x.name == "Degree" || x.name == "Centimetres"; });
-  region.features.push_back({"Degree", centimetres.empty() ? std::string{more} : "more"});
-  if (!centimetres.empty())
-    region.features.push_back({"Centimetres", centimetres});
+  if (is_number)
+    set_degree(region, "more", more);
+  else
+    set_degree(region, more);
   return request;
 }
 

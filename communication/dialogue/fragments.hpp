@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/vocabulary.hpp"
 #include "castor/communication/types.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,8 +38,15 @@ bool substitute(CompleteMove& question, const LogicalForm& said, const Anteceden
 bool correct_number(CompleteMove& statement, const LogicalForm& said,
                     const Antecedents& antecedents);
 
-/// "A bit more", "again": what was asked for before, and further where it was to a side.
-/// \param more as in the lexicon: small, more, or again
-LogicalForm repeated(LogicalForm request, std::string_view more);
+/// Whether it asks for more, or less, of what was asked for before: "a bit more", "again", "too
+/// far, bring it closer".
+bool asks_for_more(const LogicalForm& said);
+
+/// "A bit more", "closer", "again": what was asked for before, and further where it was to a side,
+/// or with a narrower or wider gap where it was at a thing.
+/// \param more as in the lexicon: small, more, closer, farther, half-back, again, or a number
+/// \param has_unit whether a number is said with "centimetres"
+/// \returns nothing if the request has nothing that there could be more of
+std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, bool has_unit);
 
 } // namespace castor::communication

@@ -267,6 +267,27 @@ std::optional<CompleteMove> QuestionContext::put_topic(const CompleteMove& place
   return result;
 }
 
+/// "A bit more", "too far away, bring it closer": of what was asked for before. Nothing if there is
+/// no more of it.
+std::optional<CompleteMove> QuestionContext::once_more(const DialogueMove& move) const {
+  if (!question_ || question_->move.type != DialogueMoveType::action_directive)
+    return std::nullopt;
+  const auto* said = find_nominal(move.content, move.content.root);
+  if (const auto* last = dependent(move.content, *said, "Next"))
+    said = last;
+  auto repetition =
+    repeated(question_->move.content, feature(*said, "More"), feature(*said, "Unit") != "none");
+  if (!repetition)
+    return std::nullopt;
+  auto again = *question_;
+  again.move.turn = move.turn;
+  if (again.move.partial)
+    again.move.partial->words.clear();
+  again.move.content = std::move(*repetition);
+  again.move.alternatives.clear();
+  return again;
+}
+
 /// "The blue one", "on the left", "either of them" to "which ball do you mean?".
 std::optional<CompleteMove> QuestionContext::clarified(const DialogueMove& move,
                                                        const Antecedents& antecedents) const {
@@ -312,18 +333,18 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
   if (proposed_ && said.problem.empty() && is_refusal(said))
     return {as_refusal_of_proposal(said), antecedents};
   auto move = with_what_is_the_same(said);
-  if (const auto* root = find_nominal(move.content, move.content.root);
-      root != nullptr && is_same_again(move.content) && !feature(*root, "More").empty()) {
-    if (!question_ || question_->move.type != DialogueMoveType::action_directive)
-      return {move, antecedents};
-    auto again = *question_;
-    again.move.turn = move.turn;
-    if (again.move.partial)
-      again.move.partial->words.clear();
-    again.move.content = repeated(std::move(again.move.content), feature(*root, "More"));
-    again.move.alternatives.clear();
-    return again;
+  if (asks_for_more(move.content)) {
+    auto again = once_more(move);
+    return again ? std::move(*again) : CompleteMove{move, antecedents};
   }
+  // "A bit further away": from what it was put next to.
+  for (const auto& alternative : move.alternatives)
+    if (asks_for_more(alternative)) {
+      auto other = move;
+      other.content = alternative;
+      if (auto again = once_more(other))
+        return *again;
+    }
   const bool is_question = take_said_as_question(move.content);
   for (auto& alternative : move.alternatives)
     take_said_as_question(alternative);

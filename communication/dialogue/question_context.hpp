@@ -39,6 +39,7 @@ private:
   void replace_one(LogicalForm& form) const;
   void keep_landmark(CompleteMove& move) const;
   void resolve_there(CompleteMove& move) const;
+  std::optional<CompleteMove> once_more(const DialogueMove& move) const;
   std::optional<CompleteMove> clarified(const DialogueMove& move,
                                         const Antecedents& antecedents) const;
   std::optional<CompleteMove> put_topic(const CompleteMove& place) const;

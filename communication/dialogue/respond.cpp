@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
+#include "castor/communication/dialogue/fragments.hpp"
 #include "castor/communication/dialogue/proposals.hpp"
 #include "castor/communication/dialogue/responder.hpp"
 #include "castor/communication/dialogue/small_talk.hpp"
@@ -32,7 +33,7 @@ Response respond(Responder& responder, DialogueMoveType type, const LogicalForm&
   if (auto correction = responder.to_preface())
     return *correction;
   // "Which are?", and nothing before it that could be meant.
-  if (is_elliptical(content))
+  if (is_elliptical(content) || asks_for_more(content))
     return say(RhetoricalRelation::clarification_question, "I do not know what that is about.");
   switch (type) {
     case DialogueMoveType::question_w:

@@ -20,6 +20,21 @@ bool repeats(const Nominal& x, const Nominal& said) {
          (x.name == said.name || x.name.ends_with('-' + said.name));
 }
 
+/// "Do not put anything on the left", "keep clear of the edge": about a part of the table.
+bool forbids_place(const LogicalForm& form, const Nominal& request) {
+  const auto* patient = dependent(form, request, "Patient");
+  if (request.sort != "action" || patient == nullptr)
+    return false;
+  const bool is_forbidden = is_negated(request) || request.proposition == "forbid";
+  if (patient->sort == "place")
+    return is_forbidden;
+  const auto* destination = dependent(form, request, "Destination");
+  const auto* anchor = destination == nullptr ? nullptr : dependent(form, *destination, "Anchor");
+  const auto all = feature(*patient, "Delimitation");
+  return destination != nullptr && (anchor == nullptr || anchor->sort == "place") &&
+         ((is_forbidden && all == "any") || all == "none");
+}
+
 } // namespace
 
 const Nominal& Responder::root() const {
@@ -115,6 +130,13 @@ Response Responder::to(const Uninterpretable& why) const {
   // "If the ball is on the left, take it."
   if (why.reason == Reason::not_so)
     return {RhetoricalRelation::answer, {}, "That is not so, so I do nothing.", {}};
+  // "Do not put anything on the left side."
+  if (why.reason == Reason::word && forbids_place(form_, root()))
+    return {RhetoricalRelation::clarification_question,
+            {},
+            "I cannot keep a part of the table free from now on. I can clear it now, and leave "
+            "things alone that you name.",
+            {}};
   // "Can you take the ball?"
   if (why.reason == Reason::word && root().sort == "action")
     return cannot_do_that();

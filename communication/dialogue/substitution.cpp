@@ -8,10 +8,34 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace castor::communication {
 
 namespace {
+
+/// Of the table, or empty.
+struct Sides {
+  std::string_view depth;
+  std::string_view width;
+
+  /// \param place such as "left", "rightmost" or "back-left-corner"
+  /// \returns whether it says a side
+  bool note(std::string_view place) {
+    bool says_side = false;
+    const auto take = [&](std::string_view side, std::string_view& which) {
+      if (place.find(side) == std::string_view::npos)
+        return;
+      which = side;
+      says_side = true;
+    };
+    take("front", depth);
+    take("back", depth);
+    take("left", width);
+    take("right", width);
+    return says_side;
+  }
+};
 
 /// Puts a fragment in the place of what is like it in a question: a thing for the thing that it is
 /// about, a colour for a colour, a place for a place.
@@ -28,7 +52,7 @@ public:
       return true;
     if (dependent(form_, fragment_, "InsteadOf") != nullptr)
       return instead();
-    if (other_patient())
+    if (other_corner() || other_patient())
       return true;
     for (const bool strictly : {true, false}) {
       is_strict_ = strictly;
@@ -109,6 +133,36 @@ private:
     const Nominal old = *patient;
     inherit(old);
     replace(old.name);
+    return true;
+  }
+
+  /// "Put it in the corner. The one at the back on the left": the corner, not another thing.
+  bool other_corner() {
+    constexpr std::string_view corner = "corner";
+    const auto* root = find_nominal(form_, form_.root);
+    const auto* destination =
+      root == nullptr || root->sort != "action" ? nullptr : dependent(form_, *root, "Destination");
+    if (destination == nullptr || fragment_.proposition != "one" || fragment_.relations.empty())
+      return false;
+    const auto* anchor = dependent(form_, *destination, "Anchor");
+    auto& place =
+      find_nominal(form_, anchor == nullptr ? destination->name : anchor->name)->proposition;
+    if (!place.ends_with(corner))
+      return false;
+    Sides sides;
+    sides.note(place);
+    for (const auto& [mode, property] : fragment_.relations) {
+      const auto* said = find_nominal(form_, property);
+      const bool is_side = (mode == "Location" || mode == "Selection") && said != nullptr &&
+                           said->relations.empty() && sides.note(said->proposition);
+      if (!is_side)
+        return false;
+    }
+    if (sides.depth.empty() || sides.width.empty())
+      return false;
+    place = std::string{sides.depth} + '-' + std::string{sides.width} + '-' + std::string{corner};
+    if (feature(fragment_, "Corrects") == "true")
+      find_nominal(form_, destination->name)->features.push_back({"Corrects", "true"});
     return true;
   }
 

@@ -17,6 +17,8 @@ constexpr std::pair<std::string_view, std::string_view> measured_words[] = {
   {"in-line", "in line with"},
   {"other-side", "on the other side of"},
   {"roomiest", "where there is room"},
+  {"closer", "closer to"},
+  {"farther", "farther from"},
   {"left", "to the left of"},
   {"right", "to the right of"},
   {"front", "in front of"},
@@ -50,7 +52,9 @@ std::optional<std::string> TableGoalMaker::put_at_spot(const DirectivePlace& pla
     return needed == 2
              ? "That takes two things, but I know of " + std::to_string(landmarks.size()) + '.'
              : "That can be said of one thing only.";
-  if (place.relation == "other-side" && x.is_held)
+  const bool is_seen_from_there =
+    place.relation == "other-side" || place.relation == "closer" || place.relation == "farther";
+  if (is_seen_from_there && x.is_held)
     return "I hold " + x.words + ": tell me where to put it.";
   std::string words;
   if (place.distance > 0)

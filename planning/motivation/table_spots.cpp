@@ -17,6 +17,9 @@ using Landmarks = std::vector<const TableThing*>;
 /// What stands turned is wider than its disc, metres.
 constexpr double narrow_gap = 0.01;
 
+/// By which a gap grows where it is not said by how much, metres.
+constexpr double farther_by = 0.05;
+
 /// Between the points of a line that are looked at, metres.
 constexpr double step = 0.02;
 
@@ -32,6 +35,20 @@ std::vector<TablePoint> along(const TablePoint& from, const TablePoint& directio
 TablePoint direction_from(const TablePoint& a, const TablePoint& b) {
   const double length = distance(a, b);
   return length < 1e-6 ? TablePoint{1, 0} : TablePoint{(b.x - a.x) / length, (b.y - a.y) / length};
+}
+
+double gap_between(const TableThing& a, const TableThing& b) {
+  return distance(place_of(a), place_of(b)) - a.radius - b.radius;
+}
+
+/// Gaps for "closer" and "farther", the first that there is room for.
+/// @param change of the gap as it is said, or 0
+std::vector<double> changed_gaps(std::string_view relation, double change, double gap) {
+  if (relation == "farther")
+    return {gap + (change > 0 ? change : farther_by)};
+  if (change > 0)
+    return gap - change < narrow_gap ? std::vector<double>{} : std::vector{gap - change};
+  return gap / 2 < narrow_gap ? std::vector<double>{} : std::vector{gap / 2};
 }
 
 std::vector<TablePoint> candidates(std::string_view relation, double gap, const TableThing& thing,
@@ -53,6 +70,14 @@ std::vector<TablePoint> candidates(std::string_view relation, double gap, const 
     std::vector<TablePoint> result;
     for (double way = beside + finger_gap; way <= table_half_width; way += step)
       result.push_back({first.x + way * away.x, first.y + way * away.y});
+    return result;
+  }
+  if (relation == "closer" || relation == "farther") {
+    const auto own = direction_from(first, place_of(thing));
+    std::vector<TablePoint> result;
+    for (const double wanted : changed_gaps(relation, gap, gap_between(thing, *landmarks.front())))
+      result.push_back({first.x + (beside - std::max(gap, 0.0) + wanted) * own.x,
+                        first.y + (beside - std::max(gap, 0.0) + wanted) * own.y});
     return result;
   }
   constexpr std::array<std::pair<std::string_view, TablePoint>, 4> sides{
@@ -91,8 +116,8 @@ std::optional<TableSpot> roomiest(const TableThing& thing, const TableRoom& room
 } // namespace
 
 bool is_measured(std::string_view relation, double distance) {
-  constexpr std::array<std::string_view, 5> measured{"midway", "equidistant", "in-line",
-                                                     "other-side", "roomiest"};
+  constexpr std::array<std::string_view, 7> measured{
+    "midway", "equidistant", "in-line", "other-side", "roomiest", "closer", "farther"};
   constexpr std::array<std::string_view, 5> sides{"left", "right", "front", "back", "near"};
   return std::ranges::find(measured, relation) != measured.end() ||
          (distance > 0 && std::ranges::find(sides, relation) != sides.end());

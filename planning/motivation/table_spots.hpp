@@ -11,7 +11,8 @@
 namespace castor::planning {
 
 /// Whether a relation is measured: midway between two things, as far from both, in line with them,
-/// on the other side of one, where there is most room; or any that a distance is said with.
+/// on the other side of one, where there is most room, closer to one or farther; or any that a
+/// distance is said with.
 bool is_measured(std::string_view relation, double distance);
 
 /// Number of landmarks that it takes.
@@ -25,6 +26,9 @@ std::size_t landmarks_needed(std::string_view relation);
 /// - `in-line`: on the line through both
 /// - `other-side`: where it is now, seen from the other side of one thing
 /// - `roomiest`: as far as possible from everything
+/// - `closer`, `farther`: on the line from one thing to where it is, with half the gap or a wider
+/// one;
+///   the distance is what the gap changes by
 /// - `left`, `right`, `front`, `back`, `near`: so that the gap is as wide as said
 ///
 /// @param landmarks as many as `landmarks_needed`, of the table

@@ -18,18 +18,39 @@ void RequestQueue::drop_steps_of(const Address& move) {
   std::erase_if(steps_.waiting, [&](const RequestedStep& x) { return x.move.address == move; });
 }
 
+/// The last request is not wanted any more. \returns its motive, if it is done now
+Address RequestQueue::drop_last() {
+  if (steps_.waiting.empty())
+    return std::exchange(steps_.motive, {});
+  const auto last = steps_.waiting.back().move.address;
+  drop_steps_of(last);
+  return is_busy() && steps_.current.move.address == last ? std::exchange(steps_.motive, {})
+                                                          : Address{};
+}
+
+/// Whether another thing was taken by the last step, which is done.
+bool RequestQueue::holds_other_than(const RequestedStep& step) const {
+  const auto& last = steps_.current.what;
+  return !is_busy() && steps_.waiting.empty() && steps_.given_up.empty() && last.action == "Take" &&
+         last.number == 0 && step.what.action == "Take" && step.what.things != last.things;
+}
+
+/// "Wrong, the red cube": what was taken is put down where it was.
+RequestedStep RequestQueue::put_back_before(const RequestedStep& step) const {
+  RequestedStep back{step.move, {}, step.agrees_to};
+  back.what.action = "PutBack";
+  back.what.things = steps_.current.what.things;
+  return back;
+}
+
 Address RequestQueue::add(const std::vector<RequestedStep>& steps,
                           const communication::MoveReferents& said) {
   auto& waiting = steps_.waiting;
   Address unwanted;
-  if (said.corrects && !waiting.empty()) {
-    const auto last = waiting.back().move.address;
-    drop_steps_of(last);
-    if (is_busy() && steps_.current.move.address == last)
-      unwanted = std::exchange(steps_.motive, {});
-  } else if (said.corrects && is_busy()) {
-    unwanted = std::exchange(steps_.motive, {});
-  }
+  if (said.corrects && !steps.empty() && holds_other_than(steps.front()))
+    waiting.push_back(put_back_before(steps.front()));
+  else if (said.corrects)
+    unwanted = drop_last();
   if (!said.comes_first) {
     waiting.insert(waiting.end(), steps.begin(), steps.end());
     return unwanted;

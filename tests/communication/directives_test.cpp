@@ -156,6 +156,31 @@ TEST(Directives, WhatSaysTheSameIsUnderstood) {
   EXPECT_EQ(result.right, result.all) << result.failures;
 }
 
+TEST(Directives, WhatFollowsOnARequestIsUnderstood) {
+  const auto result = figures_of("turns.txt");
+  EXPECT_GE(result.all, 50U);
+  EXPECT_EQ(result.right, result.all) << result.failures;
+}
+
+TEST(Directives, AnOrderOfColoursIsTheOneThatIsSaid) {
+  const std::vector<ThingInSet> colours{{"blue", "cube", "blue", -0.2, 0, 0.05},
+                                        {"red", "sphere", "red", 0, 0, 0.05},
+                                        {"green", "cube", "green", 0.2, 0, 0.05},
+                                        {"yellow", "cylinder", "yellow", 0.1, 0.15, 0.05}};
+  for (const std::string said : {"Line them up: yellow, blue, red.",
+                                 "Put them in a row in this order: yellow, blue and red.",
+                                 "Arrange the things yellow, blue, red from left to right."}) {
+    TableScene scene;
+    lay_out(colours, scene);
+    TableTalk talk{[&](auto& asked) { return scene.reply(asked); },
+                   [&](auto& told, auto features) { scene.tell(told, std::move(features)); },
+                   words_of_requests()};
+    const auto steps = talk.say(said).steps;
+    ASSERT_EQ(steps.size(), 1U) << said;
+    EXPECT_EQ(shown(steps.front(), false), "put yellow,blue,red in-row-as-named") << said;
+  }
+}
+
 TEST(Directives, MeasuredPlacesAndQuestionsAreUnderstood) {
   const auto result = figures_of("exact.txt");
   EXPECT_GE(result.all, 65U);

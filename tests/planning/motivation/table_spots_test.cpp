@@ -54,6 +54,31 @@ TEST(TableSpots, MidwayIsHalfWay) {
   EXPECT_NEAR(at.y, 0.0, 1e-9);
 }
 
+/// The disc is seen from the box in the same direction as before.
+TEST(TableSpots, CloserHalvesTheGapAndFartherWidensIt) {
+  const auto things = spotted();
+  const auto& disc = things[2];
+  const auto& box = things[1];
+  const double way = std::hypot(disc.x - box.x, disc.y - box.y);
+  const double gap = way - disc.radius - box.radius;
+  const auto is_at = [&](const TableSpot& spot, double wanted) {
+    const double share = (wanted + disc.radius + box.radius) / way;
+    EXPECT_NEAR(spot.x, box.x + share * (disc.x - box.x), 1e-9);
+    EXPECT_NEAR(spot.y, box.y + share * (disc.y - box.y), 1e-9);
+  };
+  is_at(spot_for("closer", {"p/box"}), gap / 2);
+  is_at(spot_for("closer", {"p/box"}, 0.03), gap - 0.03);
+  is_at(spot_for("farther", {"p/box"}, 0.02), gap + 0.02);
+}
+
+TEST(TableSpots, WhatIsCloseCannotBeCloser) {
+  auto things = spotted();
+  things[2].x = things[1].x;
+  things[2].y = things[1].y - things[1].radius - things[2].radius - 0.01;
+  EXPECT_EQ(words_of({"Put", {"p/disc"}, 0, {{"closer", {"p/box"}}}, {}}, things),
+            "There is no room for the disc closer to the box.");
+}
+
 TEST(TableSpots, WhatIsTakenIsNoPlaceMidway) {
   auto things = spotted();
   things[3].x = -0.05;

@@ -73,6 +73,38 @@ TEST_F(RequestQueueTest, HasOneStepDoneAtATime) {
   EXPECT_THAT(rest(), ElementsAre("Put", "Give"));
 }
 
+TEST_F(RequestQueueTest, PutsBackWhatWasTakenByMistake) {
+  auto wrong = step("a", "Take");
+  wrong.what.things = {"cylinder"};
+  auto right = step("b", "Take");
+  right.what.things = {"disc"};
+  queue.add({wrong}, {});
+  begin();
+  queue.done();
+  EXPECT_EQ(queue.add({right}, correction()).id, "");
+  const auto* next = queue.next();
+  ASSERT_NE(next, nullptr);
+  EXPECT_EQ(next->what.action, "PutBack");
+  EXPECT_THAT(next->what.things, ElementsAre("cylinder"));
+  EXPECT_EQ(next->move.address.id, "b");
+  EXPECT_THAT(rest(), ElementsAre("Take"));
+}
+
+TEST_F(RequestQueueTest, PutsNothingBackThatIsNotHeldOrIsMeantOnceMore) {
+  auto taken = step("a", "Take");
+  taken.what.things = {"cylinder"};
+  queue.add({taken}, {});
+  begin();
+  queue.add({step("b", "Put")}, correction());
+  EXPECT_THAT(rest(), ElementsAre("Put"));
+  begin();
+  queue.add({taken}, {});
+  begin();
+  queue.done();
+  queue.add({taken}, correction());
+  EXPECT_THAT(rest(), ElementsAre("Take"));
+}
+
 TEST_F(RequestQueueTest, LeavesOutWhatComesAfterAStepThatCannotBeDone) {
   queue.add({step("a", "Take"), step("a", "Put")}, {});
   queue.add({step("b", "Give")}, {});
