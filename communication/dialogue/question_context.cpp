@@ -291,9 +291,11 @@ std::optional<CompleteMove> QuestionContext::once_more(const DialogueMove& move)
 /// "The blue one", "on the left", "either of them" to "which ball do you mean?".
 std::optional<CompleteMove> QuestionContext::clarified(const DialogueMove& move,
                                                        const Antecedents& antecedents) const {
-  if (!unclear_ || !move.problem.empty())
-    return std::nullopt;
   // "Right" is a side, too.
+  const bool may_answer =
+    move.type == DialogueMoveType::none || move.type == DialogueMoveType::accept;
+  if (!unclear_ || !move.problem.empty() || !may_answer)
+    return std::nullopt;
   std::vector<const LogicalForm*> fragments{&move.content};
   for (const auto& x : move.alternatives)
     fragments.push_back(&x);

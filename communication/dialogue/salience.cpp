@@ -112,6 +112,26 @@ bool is_asked_for_quality(const LogicalForm& form, const Nominal& x) {
          (dependent(form, *root, "Cop-Restr") == &x || dependent(form, *root, "Cop-Scope") == &x);
 }
 
+/// The last thing that was spoken of besides those.
+Proxies latest_besides(const std::vector<const MoveReferents*>& moves, const Proxies& those) {
+  for (const auto* move : moves)
+    for (auto& referent : move->referents)
+      if (referent.proxies.size() == 1 && !referent.is_plural && referent.proxies != those)
+        return referent.proxies;
+  return {};
+}
+
+/// "Put the disc on the box. Now take it away from it.": the second is another thing.
+bool is_place_of_other(const LogicalForm& form, const Nominal& x) {
+  const auto* root = find_nominal(form, form.root);
+  const auto* patient =
+    root == nullptr || root->sort != "action" ? nullptr : dependent(form, *root, "Patient");
+  const auto* destination = patient == nullptr ? nullptr : dependent(form, *root, "Destination");
+  return destination != nullptr && dependent(form, *destination, "Anchor") == &x &&
+         patient != &x && is_pronoun(*patient) && !is_plural(*patient) && !is_plural(x) &&
+         destination->proposition != "place-of" && destination->proposition != "place-before-of";
+}
+
 Antecedents antecedents_in(const LogicalForm& form, const std::vector<const MoveReferents*>& moves,
                            const Vocabulary& vocabulary) {
   Antecedents result;
@@ -129,8 +149,12 @@ Antecedents antecedents_in(const LogicalForm& form, const std::vector<const Move
     } else if (is_deictic(x) || feature(x, "Recent") == "true") {
       // What is shown is not what was spoken of some time ago.
       found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, is_plural(x));
-    } else if (is_pronoun(x) || (is_anaphoric(x, vocabulary) && !is_one_of_several(x, moves)))
+    } else if (is_pronoun(x) || (is_anaphoric(x, vocabulary) && !is_one_of_several(x, moves))) {
       found = latest(moves, is_plural(x));
+      if (is_pronoun(x) && is_place_of_other(form, x))
+        if (auto other = latest_besides(moves, found); !other.empty())
+          found = std::move(other);
+    }
     // "Are they the same colour? What colour is that?"
     if (found.empty() && is_deictic(x) && !is_plural(x) && is_asked_for_quality(form, x))
       found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, true);
