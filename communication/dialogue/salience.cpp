@@ -127,8 +127,8 @@ bool is_place_of_other(const LogicalForm& form, const Nominal& x) {
   const auto* patient =
     root == nullptr || root->sort != "action" ? nullptr : dependent(form, *root, "Patient");
   const auto* destination = patient == nullptr ? nullptr : dependent(form, *root, "Destination");
-  return destination != nullptr && dependent(form, *destination, "Anchor") == &x &&
-         patient != &x && is_pronoun(*patient) && !is_plural(*patient) && !is_plural(x) &&
+  return destination != nullptr && dependent(form, *destination, "Anchor") == &x && patient != &x &&
+         is_pronoun(*patient) && !is_plural(*patient) && !is_plural(x) &&
          destination->proposition != "place-of" && destination->proposition != "place-before-of";
 }
 
