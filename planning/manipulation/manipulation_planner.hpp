@@ -5,6 +5,7 @@
 #include "castor/planning/manipulation/manipulation_plan.hpp"
 #include "castor/planning/manipulation/motion_planner.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,6 +39,16 @@ struct PlaceGoal {
   /// Further turn of the thing about the vertical, radians; only hands that point straight down can
   /// do that.
   double turn = 0;
+};
+
+/// Where a thing is to be pushed to.
+struct PushGoal {
+  /// At least so far, in a direction in which nothing is in its way, metres.
+  double distance = 0.1;
+  /// The only direction, of length 1, in the arm's frame; exactly so far then.
+  std::optional<Point3> along = {};
+  /// Whether its middle may end at a point of the arm's frame; anywhere, if not set.
+  std::function<bool(const Point3&)> may_end_at = {};
 };
 
 /// Plans what an arm does with the things of a scene. Callers in several threads wait for each
@@ -75,9 +86,8 @@ public:
   /// one of these ways; motions between them are not planned.
   std::optional<Pose> landing_of(const WaysToTake& ways, const PlaceGoal& goal) const;
 
-  /// Pushes a thing on the table with closed fingers, by at least that distance, in a direction in
-  /// which nothing is in its way, and withdraws.
-  ManipulationResult push(const Scene& scene, const std::string& thing, double distance,
+  /// Pushes a thing on the table with closed fingers, off everything else, and withdraws.
+  ManipulationResult push(const Scene& scene, const std::string& thing, const PushGoal& goal,
                           const Configuration& start) const;
 
   /// Goes to a configuration with what the gripper holds. Where it begins at or around a thing, it

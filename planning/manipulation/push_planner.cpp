@@ -46,6 +46,19 @@ NamedSolid moved(NamedSolid x, const Point3& along, double way) {
   return x;
 }
 
+/// Sideways for the arm first.
+std::vector<Point3> directions_of(const PushGoal& goal, const Point3& middle) {
+  if (goal.along)
+    return {*goal.along};
+  std::vector<Point3> result;
+  for (int i = 0; i < directions; ++i) {
+    const double angle = std::atan2(middle.y, middle.x) + pi / 2 +
+                         (i % 2 == 0 ? 1 : -1) * pi * ((i + 1) / 2) / directions * 2;
+    result.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  return result;
+}
+
 /// Whether a thing has room on all of its way.
 bool has_room(const Scene& others, NamedSolid thing, const Point3& along, double way) {
   thing.solid.size.x += 2 * room;
@@ -91,7 +104,8 @@ ManipulationPlanner::along(CollisionChecker& checker, const Configuration& start
 }
 
 ManipulationResult ManipulationPlanner::push(const Scene& scene, const std::string& thing,
-                                             double distance, const Configuration& start) const {
+                                             const PushGoal& goal,
+                                             const Configuration& start) const {
   if (!arm_.gripper)
     return MotionFailure{MotionFailureKind::no_grasp, {}, arm_.name + " has no gripper"};
   const auto& pushed = named(scene, thing);
@@ -107,20 +121,22 @@ ManipulationResult ManipulationPlanner::push(const Scene& scene, const std::stri
   std::optional<MotionFailure> failure;
   std::vector<Contact> contacts;
   std::size_t tried = 0;
-  for (int i = 0; i < directions; ++i) {
-    // Sideways for the arm first.
-    const double angle = std::atan2(middle.y, middle.x) + pi / 2 +
-                         (i % 2 == 0 ? 1 : -1) * pi * ((i + 1) / 2) / directions * 2;
+  const double way = goal.along ? goal.distance : goal.distance + beyond;
+  for (const auto& direction : directions_of(goal, middle)) {
     Push push;
-    push.along = {std::cos(angle), std::sin(angle), 0};
+    push.along = direction;
     const double extent = half_extent(pushed, push.along) + arm_.gripper->finger.x;
     push.begin = -extent - beside;
-    push.end = distance + beyond - half_extent(pushed, push.along);
+    push.end = way - half_extent(pushed, push.along);
+    // The fingers are before the tool; who says no direction wants it away, however far.
+    if (goal.along)
+      push.end -= arm_.gripper->finger.x / 2;
     // Low, so that the thing does not tip.
     push.height =
       middle.z - half + std::clamp(half, least_height, most_height) + arm_.gripper->beyond;
-    const auto there = moved(pushed, push.along, distance + beyond);
-    if (!has_room(others, pushed, push.along, distance + beyond))
+    const auto there = moved(pushed, push.along, way);
+    const bool may_be_there = !goal.may_end_at || goal.may_end_at(there.pose.position);
+    if (!may_be_there || !has_room(others, pushed, push.along, way))
       continue;
     for (const double tilt : options_.grasps.tilts) {
       push.tilt = tilt;
@@ -131,8 +147,8 @@ ManipulationResult ManipulationPlanner::push(const Scene& scene, const std::stri
           continue;
         }
         std::vector<Pose> poses;
-        for (double way = push.begin + spacing; way < push.end; way += spacing)
-          poses.push_back(tool_on(push, middle, way));
+        for (double at = push.begin + spacing; at < push.end; at += spacing)
+          poses.push_back(tool_on(push, middle, at));
         poses.push_back(tool_on(push, middle, push.end));
         std::vector<Pose> up;
         for (double height = spacing; height <= options_.lift; height += spacing)
@@ -169,8 +185,10 @@ ManipulationResult ManipulationPlanner::push(const Scene& scene, const std::stri
     return blocked_goal(contacts, thing);
   return MotionFailure{MotionFailureKind::out_of_reach,
                        {},
-                       thing + " cannot be pushed aside: in no direction is there room for it, "
-                               "and the arm within reach"};
+                       thing + (goal.along
+                                  ? " cannot be pushed there: there is no room for it and the arm"
+                                  : " cannot be pushed aside: in no direction is there room for "
+                                    "it, and the arm within reach")};
 }
 
 } // namespace castor::manipulation

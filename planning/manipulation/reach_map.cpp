@@ -85,6 +85,20 @@ spatial::ReachableTable reach_map(const ArmModel& arm, const InverseKinematics& 
   return result;
 }
 
+bool is_reached(const spatial::ReachableTable& reach, const spatial::GroundPoint& at) {
+  const double column = std::round((at.x - reach.low.x) / reach.step);
+  const double row = std::round((at.y - reach.low.y) / reach.step);
+  if (!(column >= 0 && row >= 0 && column < reach.columns && row < reach.rows))
+    return false;
+  const auto point =
+    static_cast<std::size_t>(row) * reach.columns + static_cast<std::size_t>(column);
+  const std::size_t layer = std::size_t{reach.rows} * reach.columns;
+  for (std::size_t i = point; i < reach.ways.size(); i += layer)
+    if (reach.ways[i] != 0)
+      return true;
+  return false;
+}
+
 std::uint32_t ways_held(const Pose& held, const GraspOptions& options) {
   // Of the tool's z axis in the thing's frame.
   const auto up = geometry::rotate(held.rotation, Point3{0, 0, 1});

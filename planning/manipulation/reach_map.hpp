@@ -29,6 +29,9 @@ struct ReachMapOptions {
 spatial::ReachableTable reach_map(const ArmModel& arm, const InverseKinematics& inverse,
                                   const Pose& at, const ReachMapOptions& options = {});
 
+/// Whether it grasps things of some height at the point of the grid that is nearest.
+bool is_reached(const spatial::ReachableTable& reach, const spatial::GroundPoint& at);
+
 /// The way, a bit as those of reach_map(), that is nearest to the one in which a thing is held; all
 /// of them if it is held from below.
 /// @param held its pose in the tool's frame; z is its upper side

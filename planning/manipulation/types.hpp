@@ -63,10 +63,14 @@ struct Place {
 };
 
 /// Action: push a thing with closed fingers, also one that is too flat or too wide to be grasped,
-/// until it is at least so far from where it was.
+/// until it is at least so far from where it was; off everything else, on the table and where the
+/// arm reaches. It has succeeded as PickAndPlace has.
 struct PushAside {
   EntryPointer<vision::SceneObject> what;
   double distance = 0.1;
+  /// Direction in the table's frame, exactly so far; any, if both are 0.
+  double x = 0;
+  double y = 0;
   ManipulationPriority priority = ManipulationPriority::normal;
 };
 
@@ -83,6 +87,18 @@ struct PauseArm {};
 
 /// Action: go on after PauseArm.
 struct ResumeArm {};
+
+/// A call: could a thing be taken and put where another one is, if that were gone? The reply is of
+/// the same type.
+struct ExchangeQuery {
+  EntryPointer<vision::SceneObject> what;
+  EntryPointer<vision::SceneObject> at;
+  /// In the reply: it is not known while the arm moves or holds something, nor where a third thing
+  /// is in the way, or the thing would have to be held in another way.
+  bool is_known = false;
+  /// Why it could not, a clause; empty if it could.
+  std::string reason;
+};
 
 enum class ManipulationStatus {
   idle,
@@ -152,11 +168,12 @@ CASTOR_REFLECT(TablePlace, x, y, radius, on, frame)
 CASTOR_REFLECT(PickAndPlace, what, to, may_put_between, priority)
 CASTOR_REFLECT(Pick, what, priority)
 CASTOR_REFLECT(Place, to, priority)
-CASTOR_REFLECT(PushAside, what, distance, priority)
+CASTOR_REFLECT(PushAside, what, distance, x, y, priority)
 CASTOR_REFLECT(GoHome, priority)
 CASTOR_REFLECT(StopArm)
 CASTOR_REFLECT(PauseArm)
 CASTOR_REFLECT(ResumeArm)
+CASTOR_REFLECT(ExchangeQuery, what, at, is_known, reason)
 CASTOR_REFLECT_ENUM(ManipulationStatus, idle, looking, planning, moving, grasping, releasing,
                     pushing, paused, confirming, succeeded, failed, cancelled)
 CASTOR_REFLECT(Manipulation, time, status, task, step, what, seen, holds, held, reason, in_way,

@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace castor::manipulation {
@@ -48,6 +50,7 @@ class ArmExecutor final : public ResumesManipulation {
     execute<PushAside>("there is room beside the thing, in reach",
                        [this](auto& x) { return push_aside(x); });
     execute<GoHome>({}, [this](auto&) { return go_home(); });
+    on_call<ExchangeQuery>([this](const ExchangeQuery& x) { return exchanged(x); });
   }
 
   void run() override {
@@ -89,6 +92,39 @@ class ArmExecutor final : public ResumesManipulation {
         return finish(std::move(result));
       },
       offer);
+  }
+
+  // -- questions
+
+  ExchangeQuery exchanged(ExchangeQuery query) {
+    if (!is_at_rest() || held_ || action_ != nullptr)
+      return query;
+    auto things = look_at_table(placement());
+    placed_.correct(things);
+    const auto thing = std::ranges::find(things, query.what.address.id, &SeenThing::id);
+    const auto other = std::ranges::find(things, query.at.address.id, &SeenThing::id);
+    if (thing == things.end() || other == things.end() || thing == other)
+      return query;
+    const auto name = thing->thing.name;
+    PlaceGoal goal;
+    goal.bottom = other->thing.pose.position;
+    goal.bottom.z = 0;
+    goal.radius = TablePlace{}.radius;
+    goal.support = "the table";
+    goal.text = "the place of " + other->thing.name;
+    things.erase(other);
+    const auto scene = scene_of(things);
+    query.is_known =
+      planner_->landing_of(planner_->ways_to_take(scene, name, joints()), goal).has_value();
+    if (query.is_known)
+      return query;
+    // What it can take it may be able to put there from another place.
+    const auto taken = planner_->pick(scene, name, joints());
+    const auto* failure = std::get_if<MotionFailure>(&taken);
+    query.is_known = failure != nullptr && failure->obstacles.empty();
+    if (query.is_known)
+      query.reason = failure->text;
+    return query;
   }
 
   /// An action that concerns the one that runs.
@@ -211,8 +247,9 @@ class ArmExecutor final : public ResumesManipulation {
     begin("push a thing aside", x.what);
     return with_thing(x.what, [&](const SeenThing& thing) -> std::optional<ActionResult> {
       told_.task = fmt::format("push {} aside by {:.2f} m", thing.thing.name, x.distance);
+      const auto goal = push_goal(x, thing);
       auto plan =
-        planned([&] { return planner_->push(scene(), thing.thing.name, x.distance, joints()); });
+        planned([&] { return planner_->push(scene(), thing.thing.name, goal, joints()); });
       if (!plan)
         return ActionResult::failed(told_.reason);
       if (const auto carried = carry_out_all(*plan); !carried.is_done)
@@ -224,6 +261,21 @@ class ArmExecutor final : public ResumesManipulation {
       told_.reason = "I do not see that " + thing.thing.name + " has moved far enough";
       return std::nullopt;
     });
+  }
+
+  PushGoal push_goal(const PushAside& x, const SeenThing& thing) const {
+    PushGoal result{x.distance};
+    if (const double length = std::hypot(x.x, x.y); length > 0) {
+      const auto to_arm = geometry::inverse(placement(), arm_frame);
+      const auto from = geometry::transform(to_arm, Point3{});
+      const auto to = geometry::transform(to_arm, Point3{x.x / length, x.y / length, 0});
+      result.along = Point3{to.x - from.x, to.y - from.y, 0};
+    }
+    const double radius = thing.thing.solid.size.x / 2;
+    result.may_end_at = [this, radius](const Point3& at) {
+      return is_within_reach(geometry::transform(placement(), at), radius);
+    };
+    return result;
   }
 
   ActionResult go_home() {
@@ -251,8 +303,7 @@ class ArmExecutor final : public ResumesManipulation {
         if (!found)
           return ActionResult::failed(
             thing ? "I do not see " + thing->thing.name + " any more, after this: " + told_.reason
-                  : "I do not see the thing " + what.address.id + ": it is not in " + vision() +
-                      ", or its place is not known");
+                  : "I do not see it any more, or do not know where it is");
         thing = *found;
         held_thing_ = *found;
       }
@@ -279,7 +330,7 @@ class ArmExecutor final : public ResumesManipulation {
     if (x.on.address.id.empty())
       return fmt::format("at {:.2f} {:.2f}", x.x, x.y);
     const auto support = std::ranges::find(things_, x.on.address.id, &SeenThing::id);
-    return "on " + (support == things_.end() ? x.on.address.id : support->thing.name);
+    return "on " + (support == things_.end() ? "another thing" : support->thing.name);
   }
 
   /// Nothing, and the reason, if the place is not known.
@@ -289,7 +340,7 @@ class ArmExecutor final : public ResumesManipulation {
     if (!x.on.address.id.empty()) {
       const auto support = std::ranges::find(things_, x.on.address.id, &SeenThing::id);
       if (support == things_.end()) {
-        told_.reason = "I do not see the thing " + x.on.address.id + " to put something on";
+        told_.reason = "I do not see any more what it is to be put on";
         return {};
       }
       result.bottom = support->thing.pose.position;
@@ -299,8 +350,9 @@ class ArmExecutor final : public ResumesManipulation {
       return result;
     }
     if (!x.frame.empty() && x.frame != geometry::table_frame) {
-      told_.reason = "the place is in the frame '" + x.frame + "', and the arm knows only '" +
-                     geometry::table_frame + "'";
+      warning("the place is in the frame '{}', and the arm knows only '{}'", x.frame,
+              geometry::table_frame);
+      told_.reason = "I do not know where that place is";
       return {};
     }
     result.bottom =

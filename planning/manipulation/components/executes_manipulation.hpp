@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -77,6 +78,13 @@ protected:
     reach_.held_ways =
       held_ ? ways_held(held_->pose, grasps_) : spatial::ReachableTable{}.held_ways;
     put(here(reach_entry), reach_);
+  }
+
+  /// Whether a thing is on the table there, with all of it, and where the arm grasps things.
+  /// @param at in the table's frame
+  bool is_within_reach(const Point3& at, double radius) const {
+    return std::abs(at.x) + radius <= table_width_ / 2 &&
+           std::abs(at.y) + radius <= table_depth_ / 2 && is_reached(reach_, {at.x, at.y});
   }
 
   ActionResult finish(ActionResult result) {

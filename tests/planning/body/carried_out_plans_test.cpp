@@ -109,12 +109,26 @@ TEST_F(CarriedOutPlans, HoldAThingAndPutItDownLater) {
 TEST_F(CarriedOutPlans, PushWhatCannotBeGrasped) {
   set_table({thing("the plate", box(0.12, 0.12, 0.008), 0.35, 0, 0.004),
              thing("the ball", sphere(0.05), 0.35, 0.18, 0.025)});
-  const auto plan = expect_plan(planner_.push(body_->world().scene(), "the plate", 0.1, aside()));
+  const auto plan = expect_plan(planner_.push(body_->world().scene(), "the plate", {0.1}, aside()));
   EXPECT_TRUE(carry_out_all(plan)) << stopped_at_ << body_->state().fault;
   const auto place = place_of("the plate");
   EXPECT_GE(std::hypot(place.x - 0.35, place.y), 0.095);
   EXPECT_NEAR(place_of("the ball").y, 0.18, 1e-6);
   EXPECT_EQ(body_->status().collisions, 0) << body_->status().collision;
+}
+
+TEST_F(CarriedOutPlans, PushStraightInADirectionAndNoFarther) {
+  set_table({thing("the box", box(0.06, 0.06, 0.06), 0.32, 0.02, 0.03)});
+  PushGoal goal{0.07};
+  goal.along = Point3{0, -1, 0};
+  const auto plan = expect_plan(planner_.push(body_->world().scene(), "the box", goal, aside()));
+  EXPECT_TRUE(carry_out_all(plan)) << stopped_at_ << body_->state().fault;
+  EXPECT_NEAR(place_of("the box").x, 0.32, 0.01);
+  EXPECT_NEAR(place_of("the box").y, -0.05, 0.02);
+  EXPECT_EQ(body_->status().collisions, 0) << body_->status().collision;
+  goal.may_end_at = [](const Point3& at) { return at.y > 0; };
+  EXPECT_TRUE(std::holds_alternative<MotionFailure>(
+    planner_.push(body_->world().scene(), "the box", goal, aside())));
 }
 
 /// Without turning the hand: round things, and what stands as the hand is turned by chance.
