@@ -1,5 +1,6 @@
 #include "castor/actors/component/managed_component.hpp"
 #include "castor/actors/component/registry.hpp"
+#include "castor/planning/motivation/failure_words.hpp"
 #include "castor/planning/motivation/motive_schedule.hpp"
 #include "castor/planning/motivation/types.hpp"
 #include "castor/wm/entries/failure.hpp"
@@ -132,7 +133,8 @@ class MotiveManager final : public ManagedComponent {
       case MotiveStatus::rejected:
       case MotiveStatus::dropped:
         return reply(id, motive, MotiveReply::impossible,
-                     "I cannot " + motive.words + ", because " + motive.history.back().why + ".");
+                     "I cannot " + motive.words + ", because " +
+                       failure_in_words(motive.history.back().why) + ".");
       case MotiveStatus::proposed:
       case MotiveStatus::preempted:
         return;
