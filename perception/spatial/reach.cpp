@@ -94,6 +94,14 @@ Reach ReachOfThing::at(const GroundPoint& point) const {
   return ways_around(reach_, point, height_) != 0 ? Reach::perhaps : Reach::none;
 }
 
+Reach ReachOfThing::at_and_onward(const GroundPoint& point, const GroundPoint& onward) const {
+  const auto here = at(point);
+  if (here == Reach::none || here == Reach::perhaps)
+    return here;
+  const auto both = ways_at(reach_, point, height_) & ways_at(reach_, onward, height_);
+  return both == 0 ? Reach::perhaps : here;
+}
+
 std::vector<Reach> ReachOfThing::on_squares() const {
   std::vector<Reach> result;
   for (std::uint32_t row = 0; row + 1 < reach_.rows; ++row)

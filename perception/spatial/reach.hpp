@@ -29,6 +29,11 @@ public:
   /// \throws as ways_at
   Reach at(const GroundPoint& point) const;
 
+  /// As at(), of what is to be put from there to another point; only perhaps where it cannot be
+  /// held so that both is possible.
+  /// \throws as ways_at
+  Reach at_and_onward(const GroundPoint& point, const GroundPoint& onward) const;
+
   /// In the middle of each square between the points of the grid, by rows, then columns.
   /// \throws as ways_at
   std::vector<Reach> on_squares() const;

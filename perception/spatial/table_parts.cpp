@@ -76,6 +76,23 @@ std::optional<double> fit_in_middle_of_side(std::string_view part, const TableAr
   return std::min(*fit, 1 - std::abs(along) / middle_width);
 }
 
+/// A quarter of the table: on both sides, the better the nearer to its corner.
+double in_quarter(double fit, double beside, double beyond_gap, const TableArea& area) {
+  constexpr double share = 0.7;
+  const double width = (area.high.x - area.low.x) / 2;
+  return fit <= 0 ? fit : fit * (1 - share * std::hypot(beside, beyond_gap) / width);
+}
+
+/// In front of who sits there: as near to the front edge as possible, along its middle half.
+double at_hand(const TableArea& area, const GroundPoint& centre, double front_gap) {
+  constexpr double to_side = 0.3; // per metre
+  constexpr double beyond_middle = 6;
+  const double off = std::abs(centre.x - area.middle().x);
+  const double half = (area.high.x - area.low.x) / 4;
+  return 1 - front_gap / hand_reach - to_side * std::min(off, half) -
+         beyond_middle * std::max(off - half, 0.0);
+}
+
 } // namespace
 
 bool is_middle_of_side(std::string_view part) {
@@ -114,11 +131,22 @@ std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
   const double right = at_edge(gap.right);
   const double front = at_edge(gap.front);
   const double back = at_edge(gap.back);
-  const std::array<std::pair<std::string_view, double>, 17> fits{
-    {{"left", beyond(middle.x - centre.x, radius)},
-     {"right", beyond(centre.x - middle.x, radius)},
-     {"front", beyond(middle.y - centre.y, radius)},
-     {"back", beyond(centre.y - middle.y, radius)},
+  const double on_left = beyond(middle.x - centre.x, radius);
+  const double on_right = beyond(centre.x - middle.x, radius);
+  const double in_front = beyond(middle.y - centre.y, radius);
+  const double at_back = beyond(centre.y - middle.y, radius);
+  const auto quarter = [&](double x, double x_gap, double y, double y_gap) {
+    return in_quarter(std::min(x, y), x_gap, y_gap, area);
+  };
+  const std::array<std::pair<std::string_view, double>, 21> fits{
+    {{"left", on_left},
+     {"right", on_right},
+     {"front", in_front},
+     {"back", at_back},
+     {"front-left", quarter(on_left, gap.left, in_front, gap.front)},
+     {"front-right", quarter(on_right, gap.right, in_front, gap.front)},
+     {"back-left", quarter(on_left, gap.left, at_back, gap.back)},
+     {"back-right", quarter(on_right, gap.right, at_back, gap.back)},
      {"left-edge", left},
      {"right-edge", right},
      {"front-edge", front},
@@ -131,7 +159,7 @@ std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
      {"corner", std::min(std::max(left, right), std::max(front, back))},
      {"centre",
       1 - std::hypot(centre.x - middle.x, centre.y - middle.y) / (radius + 1.5 * edge_width)},
-     {"at-hand", 1 - std::hypot(centre.x - middle.x, gap.front) / hand_reach},
+     {"at-hand", at_hand(area, centre, gap.front)},
      {"table", 1}}};
   for (const auto& [name, fit] : fits)
     if (name == part)

@@ -18,14 +18,15 @@ struct TableArea {
 /// How far from an edge something may end that is said to be at it, metres.
 inline constexpr double edge_width = 0.06;
 
-/// How far from the middle of the front edge somebody who sits there reaches with ease, metres.
+/// How far from the front edge somebody who sits there reaches with ease, metres.
 inline constexpr double hand_reach = 0.35;
 
 /// How well a disc of some radius, metres, is in a part of the table: from above 0, where it is at
 /// the part's border, to 1 and more; 0 or less if it is not. Nothing for what is no part. Parts are
 /// left, right, front, back, left-edge ..., their middles, such as front-middle, edge,
-/// front-left-corner ..., corner, centre, table, at-hand, the better the nearer to the middle of
-/// the front edge, and strip-I-of-N: the I-th of N strips, from the left.
+/// front-left-corner ..., corner, front-left ..., the quarters of the table, the better the nearer
+/// to their corners, centre, table, at-hand, the better the nearer to the middle half of the front
+/// edge, and strip-I-of-N: the I-th of N strips, from the left.
 std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
                                   const GroundPoint& centre, double radius);
 

@@ -19,6 +19,8 @@ constexpr double away_distance = 0.20;
 constexpr double height_inaccuracy = 0.015;
 /// Worse than all places that are more likely to be possible.
 constexpr double less_likely = 4;
+/// So much worse places at hand are that take a stop on the way.
+constexpr double stop_at_hand = 0.1;
 
 /// From one to the other, both included, no further apart than the step; none if there is no room.
 std::vector<double> positions_between(double from, double to, double step) {
@@ -30,6 +32,10 @@ std::vector<double> positions_between(double from, double to, double step) {
   for (int i = 0; i <= steps; ++i)
     result.push_back(from + (to - from) * i / steps);
   return result;
+}
+
+bool is_at_hand(std::span<const PlaceWanted> places) {
+  return std::ranges::any_of(places, [](const auto& x) { return x.relation == "at-hand"; });
 }
 
 std::optional<SpatialRelation> direction(const std::string& word) {
@@ -47,11 +53,44 @@ TablePlaces::TablePlaces(std::span<const TableObject> objects, GroundPoint viewe
   // nop
 }
 
+/// From rim to rim.
+double TablePlaces::gap_to(std::size_t object, const GroundPoint& centre,
+                           std::size_t landmark) const {
+  const auto& x = objects_.at(landmark);
+  return std::max(distance(centre, x.centre) - x.radius - objects_.at(object).radius, 0.0);
+}
+
 double TablePlaces::nearness(std::size_t object, const GroundPoint& centre,
                              std::size_t landmark) const {
-  const auto& x = objects_.at(landmark);
-  const double gap = distance(centre, x.centre) - x.radius - objects_.at(object).radius;
-  return 1 - std::max(gap, 0.0) / options_.near_gap;
+  return 1 - gap_to(object, centre, landmark) / options_.near_gap;
+}
+
+/// Of several landmarks, to the nearest: what is left of them all is beside the leftmost.
+double TablePlaces::gap_to_landmarks(const PlaceWanted& place, std::size_t object,
+                                     const GroundPoint& centre) const {
+  double result = std::numeric_limits<double>::infinity();
+  for (const auto landmark : place.landmarks)
+    result = std::min(result, gap_to(object, centre, landmark));
+  return result;
+}
+
+bool TablePlaces::is_close(const PlaceWanted& place, std::size_t object) const {
+  const double most = place.relation == "near"    ? options_.clearly_near_gap
+                      : direction(place.relation) ? options_.clearly_beside_gap
+                                                  : std::numeric_limits<double>::infinity();
+  return place.landmarks.empty() ||
+         gap_to_landmarks(place, object, objects_.at(object).centre) <= most;
+}
+
+/// How much worse places are that are farther from their landmarks than what is beside them.
+double TablePlaces::far_off(std::span<const PlaceWanted> places, std::size_t object,
+                            const GroundPoint& centre) const {
+  constexpr double share = 3; // per metre
+  double result = 0;
+  for (const auto& place : places)
+    if (!place.landmarks.empty() && direction(place.relation))
+      result = std::max(result, gap_to_landmarks(place, object, centre) - options_.beside_gap);
+  return share * result;
 }
 
 /// In the middle third between two, and not beside the line; of more, around their middle.
@@ -129,9 +168,9 @@ double TablePlaces::fit(const PlaceWanted& place, std::size_t object,
 
 std::vector<PlaceHeld> TablePlaces::all_held(std::span<const std::string> parts) const {
   std::vector<PlaceHeld> result;
-  const auto note = [&](std::size_t object, PlaceWanted place) {
+  const auto note = [&](std::size_t object, const PlaceWanted& place) {
     if (holds(place, object))
-      result.push_back({object, std::move(place)});
+      result.push_back({object, place, is_close(place, object)});
   };
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     for (const auto& part : parts)
@@ -192,6 +231,7 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
     /// Of the fit alone, and with how far away it is.
     double fit = 0;
     double value = 0;
+    Reach reach = Reach::direct;
     bool is_likely = false;
   };
   std::vector<Candidate> candidates;
@@ -217,22 +257,25 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
       if (reach == Reach::none || !has_room)
         continue;
       const int unlikely = static_cast<int>(reach) + (gap < options_.clearance ? 1 : 0);
+      // Who gets a thing has it at hand, though it takes the arm longer.
+      const bool is_worth_stop = unlikely == 1 && reach == Reach::by_stop && is_at_hand(places);
+      const double less = is_worth_stop ? stop_at_hand : unlikely * less_likely;
       // Of equally good ones, the nearest to where it is.
-      const double far = 0.2 * distance(centre, x.centre) + off_side(places, x.centre, centre);
+      const double far = 0.2 * distance(centre, x.centre) + off_side(places, x.centre, centre) +
+                         far_off(places, object, centre);
       const double narrow = 0.3 * std::max(0.0, 1 - gap / options_.ample_clearance);
       const double border = fits_around(places, object, centre) ? 0 : 1;
-      candidates.push_back(
-        {centre, fit, fit - far - narrow - border - unlikely * less_likely, unlikely == 0});
+      candidates.push_back({centre, fit, fit - far - narrow - border - less, reach, unlikely == 0});
     }
   PlacesFound result;
   while (result.targets.size() < count && !candidates.empty()) {
     const auto best = *std::ranges::max_element(candidates, {}, &Candidate::value);
-    result.targets.push_back({best.centre, best.fit, {}});
+    result.targets.push_back({best.centre, best.fit, {}, best.reach});
     // A place beside one that is not possible may be.
     std::erase_if(candidates, [&](const Candidate& y) {
       const bool are_likely = y.is_likely && best.is_likely;
       return distance(y.centre, best.centre) <
-             (are_likely ? 2 * x.radius + options_.clearance : options_.close);
+             (are_likely ? options_.likely_apart : options_.close);
     });
   }
   if (result.targets.empty())

@@ -34,6 +34,8 @@ struct PlaceWanted {
 struct PlaceHeld {
   std::size_t object = 0;
   PlaceWanted place;
+  /// It is so near to its landmarks that nobody who asks for that place would have it nearer.
+  bool is_close = true;
 };
 
 struct PlacingOptions {
@@ -48,8 +50,17 @@ struct PlacingOptions {
   double step = 0.01;
   /// Between positions that are found but may not be possible, metres.
   double close = 0.03;
+  /// Between others, metres: hands find out that they are not possible either.
+  double likely_apart = 0.05;
   /// Gap up to which something is near a landmark, metres.
   double near_gap = 0.08;
+  /// Gap to a landmark that places beside it, such as left of it, are no farther than, if possible,
+  /// metres.
+  double beside_gap = 0.05;
+  /// Gaps up to which what is near a landmark, or on a side of it, is clearly so and need not be
+  /// brought nearer, metres.
+  double clearly_near_gap = 0.06;
+  double clearly_beside_gap = 0.10;
   /// Where things are put is so far inside of what is wanted, if possible, metres: hands and eyes
   /// are not exact.
   double inaccuracy = 0.015;
@@ -101,6 +112,12 @@ private:
                   const GroundPoint& landmark) const;
   double nearness(std::size_t object, const GroundPoint& centre, std::size_t landmark) const;
   double between(const PlaceWanted& place, const GroundPoint& centre) const;
+  double gap_to(std::size_t object, const GroundPoint& centre, std::size_t landmark) const;
+  double gap_to_landmarks(const PlaceWanted& place, std::size_t object,
+                          const GroundPoint& centre) const;
+  bool is_close(const PlaceWanted& place, std::size_t object) const;
+  double far_off(std::span<const PlaceWanted> places, std::size_t object,
+                 const GroundPoint& centre) const;
   double least_gap(std::size_t object, const GroundPoint& centre) const;
   double worst_fit(std::span<const PlaceWanted> places, std::size_t object,
                    const GroundPoint& centre) const;

@@ -72,12 +72,17 @@ struct SpatialScene {
   std::vector<std::string> active_components;
 };
 
+/// How something can be put at a point: directly, if it is put down on its way, to be held in
+/// another way, perhaps, if it is not known, or not at all.
+enum class Reach { direct, by_stop, perhaps, none };
+
 /// A possible position, and how well the word fits there.
 struct TargetPosition {
   GroundPoint position;
   double value = 0;
   /// Name of the frame of `position`.
   std::string frame = {};
+  Reach reach = Reach::direct;
 
   friend bool operator==(const TargetPosition&, const TargetPosition&) = default;
 };
@@ -124,6 +129,8 @@ struct PlacementQuery {
   double radius = 0.03;
   /// Of what is in no scene, metres.
   double height = 0.05;
+  /// Where it is to be put from there, one or none: places where it can be held so come first.
+  std::vector<GroundPoint> onward = {};
 };
 
 /// Entry: where on the table somebody, such as an arm, can take things and put them down; on a grid
@@ -144,10 +151,6 @@ struct ReachableTable {
 
   friend bool operator==(const ReachableTable&, const ReachableTable&) = default;
 };
-
-/// How something can be put at a point: directly, if it is put down on its way, to be held in
-/// another way, perhaps, if it is not known, or not at all.
-enum class Reach { direct, by_stop, perhaps, none };
 
 /// How a thing can be put anywhere on a table.
 struct ThingReach {
@@ -179,6 +182,8 @@ struct HeldPlace {
   /// The id of a SpatialLocation.
   std::string thing;
   WantedPlace place;
+  /// False where it is so far from a landmark that who asks for that place wants it nearer.
+  bool is_close = true;
 
   friend bool operator==(const HeldPlace&, const HeldPlace&) = default;
 };
@@ -200,17 +205,17 @@ CASTOR_REFLECT(SpatialRelationship, relation, target, landmark, value)
 CASTOR_REFLECT(RelationFinder, relation, component)
 CASTOR_REFLECT(SpatialScene, viewer, time, locations, near, front, back, left, right,
                active_components)
-CASTOR_REFLECT(TargetPosition, position, value, frame)
+CASTOR_REFLECT_ENUM(Reach, direct, by_stop, perhaps, none)
+CASTOR_REFLECT(TargetPosition, position, value, frame, reach)
 CASTOR_REFLECT(SpatialRelationshipTargetQuery, relation, landmark, requested_targets, scene,
                targets)
 CASTOR_REFLECT(WantedPlace, relation, landmarks)
 CASTOR_REFLECT(PlacementQuery, thing, places, requested_targets, scene, targets, on, reason, radius,
-               height)
+               height, onward)
 CASTOR_REFLECT(ReachableTable, low, step, columns, rows, heights, ways, held_ways)
-CASTOR_REFLECT_ENUM(Reach, direct, by_stop, perhaps, none)
 CASTOR_REFLECT(ThingReach, thing, height, squares)
 CASTOR_REFLECT(ReachQuery, things, low, step, columns, rows)
-CASTOR_REFLECT(HeldPlace, thing, place)
+CASTOR_REFLECT(HeldPlace, thing, place, is_close)
 CASTOR_REFLECT(HeldPlacesQuery, parts, scene, held)
 
 } // namespace castor::spatial

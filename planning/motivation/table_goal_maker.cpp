@@ -1,5 +1,7 @@
 #include "castor/planning/motivation/table_goal_maker.hpp"
 
+#include "castor/planning/motivation/table_groups.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -28,8 +30,8 @@ std::string sentence(std::string words) {
 }
 
 TableGoalMaker::TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table,
-                               TableReach reach)
-  : step_(step), table_(table), room_(table, std::move(reach)) {
+                               TableReach reach, TableExchange exchange)
+  : step_(step), table_(table), room_(table, std::move(reach)), exchange_(std::move(exchange)) {
   for (const auto& proxy : step.things)
     if (const auto* x = thing(proxy))
       things_.push_back(x);
@@ -123,13 +125,15 @@ TableGoal TableGoalMaker::handle() {
     return put_as_noted();
   if (action == "PutDown")
     return put_down();
+  if (action == "Push" && is_push_away())
+    return push();
   if (!step_.places.empty())
     return put();
   if (action == "Take")
     return each("held", "take");
   if (action == "Give")
     return give();
-  return action == "Push" ? each("pushed", "push") : refusal("I do not know how to do that.");
+  return refusal("I do not know how to do that.");
 }
 
 const TableThing* TableGoalMaker::thing(const std::string& proxy) const {
@@ -152,7 +156,7 @@ TableGoal TableGoalMaker::goal(std::string words, std::string result) {
   parts_.erase(std::ranges::unique(parts_).begin(), parts_.end());
   return {TableWish::goal,   formula + ')',    std::move(parts_),
           places_ + 1,       std::move(words), sentence(std::move(result)),
-          std::move(spots_), proxies()};
+          std::move(spots_), proxies(),        push_distance_};
 }
 
 std::vector<std::string> TableGoalMaker::proxies() const {
@@ -225,8 +229,8 @@ TableGoal TableGoalMaker::swap() {
   if (a.is_held || b.is_held)
     return refusal("I cannot swap what I hold.");
   for (const auto& [x, other] : {std::pair{&a, &b}, {&b, &a}})
-    if (!room_.can_be_put(*x, place_of(*other)))
-      return refusal(beyond_reach(*x, *other));
+    if (auto problem = beyond_reach(*x, *other))
+      return refusal(std::move(*problem));
   facts_ = {"(= (pos " + a.object + ") " + b.waypoint + ')',
             "(= (pos " + b.object + ") " + a.waypoint + ')'};
   return goal("swap " + listed(things_), listed(things_) + " have changed places");
@@ -255,7 +259,7 @@ TableGoal TableGoalMaker::clear() {
                 (kept_.empty() ? "" : " but " + listed(kept_)));
 }
 
-/// A strip of the table for each value, in the order in which their things lie already.
+/// A group for each value, in the order in which their things lie already.
 TableGoal TableGoalMaker::sort() {
   if (step_.by.starts_with("height") || step_.by.starts_with("width") ||
       step_.by.starts_with("volume"))
@@ -277,17 +281,34 @@ TableGoal TableGoalMaker::sort() {
     from_left.emplace_back(sum / static_cast<double>(group.size()), std::move(group));
   }
   std::ranges::stable_sort(from_left, {}, [](const auto& x) { return x.first; });
-  const auto count = std::to_string(from_left.size());
-  for (std::size_t i = 0; i < from_left.size(); ++i)
-    for (const auto* x : from_left[i].second)
-      facts_.push_back(in_part(*x, "strip-" + std::to_string(i + 1) + "-of-" + count));
+  std::vector<Things> in_order;
+  for (auto& [x, group] : from_left)
+    in_order.push_back(std::move(group));
+  things_.clear();
+  for (const auto& group : in_order)
+    things_.insert(things_.end(), group.begin(), group.end());
+  const bool are_on_table =
+    std::ranges::none_of(things_, [](const auto* x) { return x->is_held || !x->on.empty(); });
+  auto spots = are_on_table ? grouped(in_order, room_) : std::vector<TableSpot>{};
+  if (spots.empty())
+    stand_in_strips(in_order);
+  else
+    stand_at(std::move(spots));
   return goal("sort the things by " + step_.by + but_what_is_kept(),
               "the things are sorted by " + step_.by + " now" + but_what_is_kept());
 }
 
+/// Where there is no room for groups that stand together.
+void TableGoalMaker::stand_in_strips(const std::vector<Things>& groups) {
+  const auto count = std::to_string(groups.size());
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    for (const auto* x : groups[i])
+      facts_.push_back(in_part(*x, "strip-" + std::to_string(i + 1) + "-of-" + count));
+}
+
 TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table,
-                  TableReach reach) {
-  return TableGoalMaker{step, table, std::move(reach)}.make();
+                  TableReach reach, TableExchange exchange) {
+  return TableGoalMaker{step, table, std::move(reach), std::move(exchange)}.make();
 }
 
 } // namespace castor::planning

@@ -20,7 +20,8 @@ public:
   using DirectiveStep = communication::DirectiveStep;
 
   /// The step and the table have to outlive it.
-  TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table, TableReach reach);
+  TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table, TableReach reach,
+                 TableExchange exchange);
 
   TableGoal make();
 
@@ -43,6 +44,14 @@ private:
   TableGoal swap();
   TableGoal clear();
   TableGoal sort();
+  void stand_in_strips(const std::vector<Things>& groups);
+
+  // -- pushing (table_goals_push.cpp)
+  bool is_push_away() const;
+  TableGoal push();
+  TableGoal push_anywhere(double distance);
+  std::optional<std::string> push_one(const TableThing& x, const DirectivePlace& place,
+                                      double& distance);
 
   // -- questions (table_answers.cpp)
   TableGoal answer_question() const;
@@ -69,12 +78,13 @@ private:
   // -- places (table_goals_places.cpp); those with an optional result say why it is impossible
   TableGoal put();
   TableGoal arrange(const std::string& arrangement, const std::string& side = {});
+  void stand_at(std::vector<TableSpot> spots);
   TableGoal put_where_another_is(const DirectivePlace& place, const std::string& verb);
   std::optional<std::string> put_further(const Shift& shift, double distance, std::string& where);
   std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_on(const Things& landmarks) const;
-  std::string beyond_reach(const TableThing& x, const TableThing& other) const;
+  std::optional<std::string> beyond_reach(const TableThing& x, const TableThing& other) const;
 
   // -- measured places (table_goals_spots.cpp)
   std::optional<std::string> put_at_spot(const DirectivePlace& place, std::string& where);
@@ -85,12 +95,14 @@ private:
 
   // -- corners (table_goals_corners.cpp)
   TableGoal put_in_each_corner();
+  bool is_corner_reached(const TableThing& x, std::string_view corner) const;
   std::string corner_for_all() const;
   std::optional<std::string> put_in_opposite_corner(std::string& where);
 
   const DirectiveStep& step_;
   std::span<const TableThing> table_;
   TableRoom room_;
+  TableExchange exchange_;
   Things things_;
   /// Those of the step that are not to be touched.
   Things kept_;
@@ -98,6 +110,7 @@ private:
   std::vector<std::string> parts_;
   std::vector<TableSpot> spots_;
   std::size_t places_ = 0;
+  double push_distance_ = 0;
 };
 
 TableGoal refusal(std::string words);

@@ -51,6 +51,9 @@ struct TableGoal {
   std::vector<TableSpot> spots = {};
   /// Proxies of the things that it is about, as requests have them.
   std::vector<std::string> things = {};
+  /// How far things are pushed, metres: to the spots if there are any, otherwise anywhere; 0 if
+  /// they are not.
+  double push_distance = 0;
 
   friend bool operator==(const TableGoal&, const TableGoal&) = default;
 };
@@ -64,8 +67,9 @@ bool is_question(std::string_view action);
 
 /// The goal of a step, or why there is none. "One of the balls" is any: of several that will do the
 /// first is taken. Where spots are chosen or said, they are where things can be put.
+/// @param exchange may be empty: then places of others are taken as the reach says
 TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table,
-                  TableReach reach = reach_in_box);
+                  TableReach reach = reach_in_box, TableExchange exchange = {});
 
 /// A failed action in words: "I cannot take the ball: the box is in the way."
 std::string explained(std::string_view action, std::string_view reason);

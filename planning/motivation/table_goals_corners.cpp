@@ -1,4 +1,5 @@
 #include "castor/planning/motivation/table_goal_maker.hpp"
+#include "castor/planning/motivation/table_layouts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 /// Goals that are about the corners of the table.
 namespace castor::planning {
@@ -18,21 +20,27 @@ constexpr std::array<std::string_view, 4> all_corners{"front-left-corner", "fron
 /// So far from the table's edges the rim of what is in a corner is, metres.
 constexpr std::array<double, 3> from_edge{0, 0.02, 0.04};
 
+/// From the very corner inwards.
+std::vector<TablePoint> places_in(const TableThing& thing, std::string_view corner) {
+  const double x_side = corner.find("left") == std::string_view::npos ? 1 : -1;
+  const double y_side = corner.starts_with("front") ? -1 : 1;
+  std::vector<TablePoint> result;
+  for (const double x : from_edge)
+    for (const double y : from_edge)
+      result.push_back({x_side * (table_half_width - thing.radius - x),
+                        y_side * (table_half_depth - thing.radius - y)});
+  return result;
+}
+
 /// How much it takes to put a thing in a corner, as metres: how far it goes, and how hard that is
 /// where it is easiest. Nothing if it cannot be put there.
 std::optional<double> effort(const TableRoom& room, const TableThing& thing,
                              std::string_view corner) {
-  const double x_side = corner.find("left") == std::string_view::npos ? 1 : -1;
-  const double y_side = corner.starts_with("front") ? -1 : 1;
   std::optional<double> result;
-  for (const double x : from_edge)
-    for (const double y : from_edge) {
-      const TablePoint at{x_side * (table_half_width - thing.radius - x),
-                          y_side * (table_half_depth - thing.radius - y)};
-      if (const auto there = room.effort(thing, at))
-        result = std::min(result.value_or(std::numeric_limits<double>::infinity()),
-                          *there + distance(at, place_of(thing)));
-    }
+  for (const auto& at : places_in(thing, corner))
+    if (const auto there = room.effort(thing, at))
+      result = std::min(result.value_or(std::numeric_limits<double>::infinity()),
+                        *there + distance(at, place_of(thing)));
   return result;
 }
 
@@ -106,15 +114,30 @@ TableGoal TableGoalMaker::put_in_each_corner() {
               listed(things_) + are(things_) + " in a corner each now" + but_what_is_kept());
 }
 
-/// Several things go into one corner: the one nearest to them.
-std::string TableGoalMaker::corner_for_all() const {
-  double x = 0;
-  double y = 0;
-  for (const auto* thing : things_) {
-    x += thing->x;
-    y += thing->y;
+/// Whether the arm can put it there at once, or it is not known at all where it can put it.
+bool TableGoalMaker::is_corner_reached(const TableThing& x, std::string_view corner) const {
+  const auto perhaps = effort_of(spatial::Reach::perhaps);
+  bool is_known = false;
+  for (const auto& at : places_in(x, corner)) {
+    const auto there = room_.effort(x, at);
+    if (there && *there <= 0)
+      return true;
+    is_known = is_known || !room_.can_be_put(x, at) || (there && *there < *perhaps);
   }
-  return std::string{y < 0 ? "front" : "back"} + (x < 0 ? "-left" : "-right") + "-corner";
+  return !is_known;
+}
+
+/// Several things go into one corner: the one nearest to them that is reached, if any is.
+std::string TableGoalMaker::corner_for_all() const {
+  const TablePoint middle = layouts::middle_of(things_);
+  const auto gap = [&](std::string_view corner) {
+    return distance(places_in(*things_.front(), corner).front(), middle);
+  };
+  std::string_view best;
+  for (const auto corner : all_corners)
+    if (is_corner_reached(*things_.front(), corner) && (best.empty() || gap(corner) < gap(best)))
+      best = corner;
+  return std::string{best.empty() ? *std::ranges::min_element(all_corners, {}, gap) : best};
 }
 
 /// From that in which the last thing was put.

@@ -101,17 +101,21 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement, const std::str
   if (spots_.empty())
     return refusal("There is no room to put them " + words +
                    ". Take something away first, or tell me fewer things.");
-  std::vector<TableSpot> needed;
-  for (std::size_t i = 0; i < things_.size(); ++i) {
-    const auto& x = *things_[i];
-    const bool is_right = std::hypot(spots_[i].x - x.x, spots_[i].y - x.y) < stands_right;
-    facts_.push_back("(= (pos " + x.object + ") " + (is_right ? x.waypoint : spots_[i].name) + ')');
-    if (!is_right)
-      needed.push_back(spots_[i]);
-  }
-  spots_ = std::move(needed);
+  stand_at(std::move(spots_));
   return goal("put " + listed(things_) + ' ' + words + but_what_is_kept(),
               listed(things_) + are(things_) + ' ' + words + " now" + but_what_is_kept());
+}
+
+/// Each of the things at its spot; what is there stays.
+void TableGoalMaker::stand_at(std::vector<TableSpot> spots) {
+  spots_.clear();
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    const auto& x = *things_[i];
+    const bool is_right = std::hypot(spots[i].x - x.x, spots[i].y - x.y) < stands_right;
+    facts_.push_back("(= (pos " + x.object + ") " + (is_right ? x.waypoint : spots[i].name) + ')');
+    if (!is_right)
+      spots_.push_back(std::move(spots[i]));
+  }
 }
 
 /// In the place of something else, which has to leave it, or where that was before.
@@ -132,8 +136,8 @@ TableGoal TableGoalMaker::put_where_another_is(const DirectivePlace& place,
     return refusal("I do not know where " + other->words + " was before.");
   if (other->is_held && !was)
     return refusal("I hold " + other->words + ". Tell me to put it down first.");
-  if (!was && !room_.can_be_put(x, place_of(*other)))
-    return refusal(beyond_reach(x, *other));
+  if (auto problem = was ? std::nullopt : beyond_reach(x, *other))
+    return refusal(std::move(*problem));
   facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
   ++places_;
   return goal(verb + " where " + other->words + (was ? " was" : " is"),
@@ -177,7 +181,13 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
     return "I do not know where that is: tell me a part of the table, or a thing that is there.";
   // There is room in a corner for one thing: the others are beside it.
   const bool is_one_corner = place.relation == "corner" && things_.size() > 1;
-  const auto part = is_one_corner ? corner_for_all() : place.relation;
+  auto part = is_one_corner ? corner_for_all() : place.relation;
+  // As near to it as can be reached.
+  constexpr std::string_view corner = "-corner";
+  const auto reaches = [&](const TableThing* x) { return is_corner_reached(*x, part); };
+  if (part.ends_with(corner) &&
+      (is_one_corner ? !reaches(things_.front()) : !std::ranges::all_of(things_, reaches)))
+    part.resize(part.size() - corner.size());
   for (const auto* x : things_)
     if (is_one_corner && x != things_.front()) {
       facts_.push_back("(near " + x->object + ' ' + things_.front()->object + ')');
@@ -220,9 +230,15 @@ std::optional<std::string> TableGoalMaker::put_at_landmarks(const DirectivePlace
   return std::nullopt;
 }
 
-/// The place of another thing is so for it.
-std::string TableGoalMaker::beyond_reach(const TableThing& x, const TableThing& other) const {
-  return "I cannot put " + x.words + " where " + other.words + " is: I do not reach there with it.";
+/// Why it cannot be put in the place of another thing.
+std::optional<std::string> TableGoalMaker::beyond_reach(const TableThing& x,
+                                                        const TableThing& other) const {
+  auto why = exchange_ ? exchange_(x, other) : std::nullopt;
+  if (!why)
+    why = room_.can_be_put(x, place_of(other)) ? "" : "I do not reach there with it";
+  if (why->empty())
+    return std::nullopt;
+  return "I cannot put " + x.words + " where " + other.words + " is: " + *why + '.';
 }
 
 std::optional<std::string> TableGoalMaker::put_on(const Things& landmarks) const {

@@ -18,6 +18,11 @@ inline constexpr double table_half_depth = 0.26;
 /// How a thing can be put at a point, metres.
 using TableReach = std::function<spatial::Reach(const TableThing& thing, double x, double y)>;
 
+/// Why a thing cannot be put where another is, once that has left: a clause, empty if it can be;
+/// nothing if that is not known.
+using TableExchange =
+  std::function<std::optional<std::string>(const TableThing& thing, const TableThing& other)>;
+
 /// Where no arm has told where it reaches: in a box around the middle of the table, and perhaps
 /// elsewhere on it.
 spatial::Reach reach_in_box(const TableThing& thing, double x, double y);

@@ -55,6 +55,27 @@ std::string_view part_of(std::string_view fact) {
   return fact.substr(begin, fact.size() - begin - 1);
 }
 
+/// A waypoint is there.
+std::vector<std::string> facts_of(const std::string& waypoint, const WantedPlace& place) {
+  if (place.landmarks.empty())
+    return {"(wp-in " + waypoint + ' ' + place.relation + ')'};
+  const auto known =
+    std::ranges::find_if(predicates, [&](const auto& x) { return x.first == place.relation; });
+  if (known == predicates.end())
+    return {};
+  std::vector<std::string> result;
+  const auto tell = [&](const auto& landmarks) {
+    std::string fact = '(' + std::string{known->second} + ' ' + waypoint;
+    for (const auto& name : landmarks)
+      fact += ' ' + name;
+    result.push_back(fact + ')');
+  };
+  tell(place.landmarks);
+  if (place.relation == "between")
+    tell(std::vector<std::string>(place.landmarks.rbegin(), place.landmarks.rend()));
+  return result;
+}
+
 } // namespace
 
 TableMemory::TableMemory(std::string agent, std::map<std::string, std::string> nouns)
@@ -191,11 +212,16 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
 AchieveGoal TableMemory::begin(const TableGoal& goal) {
   chosen_.clear();
   done_.clear();
+  put_there_.clear();
   in_way_.clear();
   is_unmoved_ = true;
+  push_distance_ = goal.push_distance;
+  pushed_to_.clear();
   AchieveGoal result{goal.formula};
   for (const auto& x : goal.spots) {
     const auto name = new_waypoint({x.x, x.y});
+    if (goal.push_distance > 0)
+      pushed_to_.insert(name);
     const auto end = x.name + ')';
     for (auto at = result.goal.find(end); at != std::string::npos; at = result.goal.find(end, at))
       result.goal.replace(at, x.name.size(), name);
@@ -204,6 +230,7 @@ AchieveGoal TableMemory::begin(const TableGoal& goal) {
     result.objects.push_back({part, "part"});
   for (std::size_t i = 0; i < goal.new_places; ++i)
     result.objects.push_back({"place-" + std::to_string(next_waypoint_++), "waypoint"});
+  goal_ = result.goal;
   return result;
 }
 
@@ -252,24 +279,9 @@ void TableMemory::tell_order(std::string_view goal, StateReply& reply) const {
 }
 
 void TableMemory::tell_place(const std::string& waypoint, const WantedPlace& place,
-                             StateReply& reply) const {
-  if (place.landmarks.empty()) {
-    reply.facts.push_back("(wp-in " + waypoint + ' ' + place.relation + ')');
-    return;
-  }
-  const auto known =
-    std::ranges::find_if(predicates, [&](const auto& x) { return x.first == place.relation; });
-  if (known == predicates.end())
-    return;
-  const auto tell = [&](const auto& landmarks) {
-    std::string fact = '(' + std::string{known->second} + ' ' + waypoint;
-    for (const auto& name : landmarks)
-      fact += ' ' + name;
-    reply.facts.push_back(fact + ')');
-  };
-  tell(place.landmarks);
-  if (place.relation == "between")
-    tell(std::vector<std::string>(place.landmarks.rbegin(), place.landmarks.rend()));
+                             StateReply& reply) {
+  for (auto& fact : facts_of(waypoint, place))
+    reply.facts.push_back(std::move(fact));
 }
 
 void TableMemory::tell_thing(const Thing& x, StateReply& reply) const {
@@ -317,8 +329,12 @@ StateReply TableMemory::state(std::string_view goal,
       if (are_known)
         landmark = other->name;
     }
-    if (are_known)
-      tell_place(x->waypoint, place, result);
+    if (!are_known)
+      continue;
+    for (auto& fact : facts_of(x->waypoint, place))
+      // What is too far from its landmark is to be brought nearer, unless it was put there.
+      if (at.is_close || put_there_.contains(fact))
+        result.facts.push_back(std::move(fact));
   }
   for (const auto& [waypoint, wanted] : chosen_) {
     result.objects.push_back({waypoint, "waypoint"});
@@ -367,6 +383,10 @@ const GroundPoint* TableMemory::place(const std::string& waypoint) const {
   return found == waypoints_.end() ? nullptr : &found->second;
 }
 
+const GroundPoint* TableMemory::wanted_place(std::string_view name) const {
+  return place(std::string{waypoint_wanted(goal_, name)});
+}
+
 void TableMemory::moved(const std::string& name, const std::string& waypoint, const std::string& id,
                         GroundPoint place) {
   auto* x = find(name);
@@ -387,6 +407,10 @@ void TableMemory::moved(const std::string& name, const std::string& waypoint, co
     else if (y.landmarks.empty() && parts_in("(in-part x " + y.relation + ')').empty())
       // That it is elsewhere is known by what was done only.
       done_.insert("(wp-in " + waypoint + ' ' + y.relation + ')');
+    else if (!y.landmarks.empty())
+      // As near to its landmarks as there was room.
+      for (auto& fact : facts_of(waypoint, y))
+        put_there_.insert(std::move(fact));
 }
 
 void TableMemory::taken(const std::string& name) {

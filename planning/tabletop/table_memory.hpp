@@ -33,6 +33,8 @@ struct ThingOnTable {
 struct ThingAtPlace {
   std::string id;
   spatial::WantedPlace place;
+  /// As of HeldPlace.
+  bool is_close = true;
 };
 
 /// What a planner has to know of a table that is not to be seen: which thing is which after it was
@@ -114,6 +116,14 @@ public:
   /// Where something was. Null for what was chosen.
   const spatial::GroundPoint* place(const std::string& waypoint) const;
 
+  /// Where the goal says that a thing is to be in the end; null if it says of no point.
+  const spatial::GroundPoint* wanted_place(std::string_view name) const;
+
+  /// How far the goal has things pushed, metres.
+  double push_distance() const { return push_distance_; }
+  /// Whether the goal has things pushed there, and not carried.
+  bool is_pushed_to(const std::string& waypoint) const { return pushed_to_.contains(waypoint); }
+
   /// It is at a waypoint now. @param id of the SceneObject that it is seen as; empty if it is not
   /// seen there, because it stands on another thing
   void moved(const std::string& name, const std::string& waypoint, const std::string& id,
@@ -140,8 +150,8 @@ private:
   bool is_near(const Thing& x, const std::string& waypoint) const;
   void tell_order(std::string_view goal, StateReply& reply) const;
   void tell_thing(const Thing& x, StateReply& reply) const;
-  void tell_place(const std::string& waypoint, const spatial::WantedPlace& place,
-                  StateReply& reply) const;
+  static void tell_place(const std::string& waypoint, const spatial::WantedPlace& place,
+                         StateReply& reply);
 
   std::string agent_;
   std::map<std::string, std::string> nouns_;
@@ -150,7 +160,13 @@ private:
   std::map<std::string, std::vector<spatial::WantedPlace>> chosen_;
   /// Facts of the goal that nobody sees.
   std::set<std::string> done_;
+  /// Where things were put for the goal relative to others, as facts.
+  std::set<std::string> put_there_;
   ThingsInWay in_way_;
+  /// The formula of the goal that has begun.
+  std::string goal_;
+  double push_distance_ = 0;
+  std::set<std::string> pushed_to_;
   /// Nothing has been moved for the goal yet.
   bool is_unmoved_ = true;
   std::size_t next_waypoint_ = 1;

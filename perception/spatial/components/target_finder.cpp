@@ -73,8 +73,9 @@ class TargetFinder final : public UnmanagedComponent {
     const auto thing = query.thing.empty() ? objects.size() : index_of(query.thing);
     auto options = placing_options();
     if (const auto reach = reachable_table()) {
-      options.reach = [x = reach_of(*reach, query.thing, query.height)](const GroundPoint& at) {
-        return x.at(at);
+      options.reach = [x = reach_of(*reach, query.thing, query.height),
+                       onward = query.onward](const GroundPoint& at) {
+        return onward.empty() ? x.at(at) : x.at_and_onward(at, onward.front());
       };
       // The arm finds out whether there is room for its hand.
       options.least_clearance = 0.005;
@@ -128,8 +129,8 @@ class TargetFinder final : public UnmanagedComponent {
     const auto scene = scene_of(query);
     query.held.clear();
     for (const auto& x : table(scene, objects_of(scene), placing_options()).all_held(query.parts)) {
-      auto& held =
-        query.held.emplace_back(HeldPlace{scene.locations[x.object], {x.place.relation, {}}});
+      auto& held = query.held.emplace_back(
+        HeldPlace{scene.locations[x.object], {x.place.relation, {}}, x.is_close});
       for (const auto i : x.place.landmarks)
         held.place.landmarks.push_back(scene.locations[i]);
     }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,17 +22,23 @@ namespace castor::planning {
 /// TargetFinder.
 class FindsPlaces : public KnowsTable {
 protected:
+  struct Target {
+    manipulation::TablePlace to;
+    /// It is known that it takes a stop on the way.
+    bool takes_stop = false;
+  };
+
   /// @param reason becomes that why there are none
-  std::vector<manipulation::TablePlace>
-  targets_of(const TableMemory::Thing& thing, const std::string& waypoint, std::string& reason) {
+  std::vector<Target> targets_of(const TableMemory::Thing& thing, const std::string& waypoint,
+                                 std::string& reason) {
     const auto wanted = memory_.chosen(waypoint);
     if (wanted.empty()) {
       const auto* place = memory_.place(waypoint);
       if (place == nullptr) {
-        reason = "the place " + waypoint + " is not known any more";
+        reason = "I do not know any more where that place is";
         return {};
       }
-      return {table_place(*place)};
+      return {{table_place(*place)}};
     }
     spatial::PlacementQuery query;
     if (!thing.is_held)
@@ -39,6 +46,8 @@ protected:
     query.radius = thing.seen.radius;
     query.height = thing.seen.height;
     query.requested_targets = static_cast<std::uint32_t>(places_.get());
+    if (const auto* then = memory_.wanted_place(thing.name))
+      query.onward.push_back(*then);
     for (const auto& x : wanted) {
       auto& place = query.places.emplace_back(spatial::WantedPlace{x.relation, {}});
       for (const auto& landmark : x.landmarks) {
@@ -53,14 +62,14 @@ protected:
     query = call<spatial::PlacementQuery, spatial::PlacementQuery>(spatial(), query,
                                                                    {.timeout = patience()});
     reason = query.reason;
-    std::vector<manipulation::TablePlace> result;
     if (!query.on.empty()) {
       manipulation::TablePlace on;
       on.on = EntryPointer<vision::SceneObject>{Address{vision(), object_at(query.on)}};
-      return {on};
+      return {{on}};
     }
+    std::vector<Target> result;
     for (const auto& x : query.targets)
-      result.push_back(table_place(x.position));
+      result.push_back({table_place(x.position), x.reach == spatial::Reach::by_stop});
     return result;
   }
 
@@ -72,6 +81,27 @@ protected:
           told = ask_reach(things);
         return told(thing, x, y);
       };
+  }
+
+  /// Whether a thing can be put where another is, for requests that have both leave their places.
+  TableExchange exchange() {
+    return [this](const TableThing& thing, const TableThing& other) -> std::optional<std::string> {
+      const auto* a = memory_.thing(thing.object);
+      const auto* b = memory_.thing(other.object);
+      if (a == nullptr || b == nullptr || a->is_held || b->is_held)
+        return std::nullopt;
+      try {
+        manipulation::ExchangeQuery query;
+        query.what = seen(*a);
+        query.at = seen(*b);
+        const auto told = call<manipulation::ExchangeQuery, manipulation::ExchangeQuery>(
+          manipulation(), query, {.timeout = patience()});
+        return told.is_known ? std::optional{told.reason} : std::nullopt;
+      } catch (const WorkingMemoryException& e) {
+        debug("{}", e.what());
+        return std::nullopt;
+      }
+    };
   }
 
   /// Whether it is where it was to be, as far as that can be seen.
@@ -110,6 +140,10 @@ protected:
   }
 
 private:
+  EntryPointer<vision::SceneObject> seen(const TableMemory::Thing& x) const {
+    return EntryPointer<vision::SceneObject>{Address{vision(), x.seen.id}};
+  }
+
   TableReach ask_reach(const std::vector<TableThing>& things) {
     spatial::ReachQuery query;
     std::vector<std::string> objects;
@@ -143,7 +177,7 @@ private:
     return result;
   }
 
-  Option<std::int64_t> places_{this, "places", 8, "places that are tried for a step"};
+  Option<std::int64_t> places_{this, "places", 10, "places that are tried for a step"};
 };
 
 } // namespace castor::planning

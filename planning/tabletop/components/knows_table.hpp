@@ -140,7 +140,7 @@ protected:
       std::vector<std::string> landmarks;
       for (const auto& id : x.place.landmarks)
         landmarks.push_back(object_at(id));
-      result.push_back({thing, {std::move(x.place.relation), std::move(landmarks)}});
+      result.push_back({thing, {std::move(x.place.relation), std::move(landmarks)}, x.is_close});
     }
     return result;
   }

@@ -9,6 +9,8 @@
 #include "castor/planning/tabletop/types.hpp"
 
 #include <chrono>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -61,7 +63,7 @@ class TableExecutor final : public FindsPlaces {
       if (place.landmarks.empty())
         formula += "(in-part x " + place.relation + ')';
     const auto things = memory_.things(places(parts_in(formula)));
-    auto goal = goal_of(step, things, reach_of(things));
+    auto goal = goal_of(step, things, reach_of(things), exchange());
     if (request.begins && (goal.wish == TableWish::keep || goal.wish == TableWish::keep_clear ||
                            goal.wish == TableWish::allow)) {
       memory_.keep(goal);
@@ -111,7 +113,8 @@ class TableExecutor final : public FindsPlaces {
       warning("{}", e.what());
       return ActionResult::failed("nobody tells me now where there is a place for it");
     }
-    return ActionResult::failed("there is no step '" + step.name + "' for an arm");
+    warning("there is no step '{}' for an arm", step.name);
+    return ActionResult::failed("I do not know how to do that");
   }
 
   // Names are copies: what is remembered may change while the arm moves.
@@ -128,31 +131,69 @@ class TableExecutor final : public FindsPlaces {
                     const EntryPointer<vision::SceneObject>& what) {
     manipulation::PushAside push;
     push.what = what;
+    if (memory_.push_distance() > 0)
+      push.distance = memory_.push_distance();
     auto result = done(action, push);
     if (result.outcome == ActionOutcome::succeeded)
       memory_.pushed(name);
     return settled(action, std::move(result));
   }
 
+  /// Straight to a waypoint. Nothing if there is no way to push it there.
+  std::optional<ActionResult> push_to(ActionInProgress& action, const TableMemory::Thing& thing,
+                                      const EntryPointer<vision::SceneObject>& what,
+                                      const std::string& waypoint) {
+    const auto* to = memory_.place(waypoint);
+    if (to == nullptr || thing.is_held || !memory_.is_pushed_to(waypoint))
+      return std::nullopt;
+    const auto name = thing.name;
+    const auto place = *to;
+    manipulation::PushAside push;
+    push.what = what;
+    push.x = place.x - thing.seen.place.x;
+    push.y = place.y - thing.seen.place.y;
+    push.distance = std::hypot(push.x, push.y);
+    auto result = done(action, push);
+    if (result.outcome == ActionOutcome::failed && !has_tried()) {
+      // It can still be carried there.
+      refusals_.pop_back();
+      return std::nullopt;
+    }
+    if (result.outcome == ActionOutcome::succeeded) {
+      const auto id = seen_as(result);
+      manipulation::TablePlace wanted;
+      wanted.x = place.x;
+      wanted.y = place.y;
+      memory_.moved(name, waypoint, id, place_of(id, wanted));
+    }
+    return settled(action, std::move(result));
+  }
+
   /// Where the best place is not possible for the arm, the next ones are tried.
   ActionResult move(ActionInProgress& action, const TableMemory::Thing& thing,
                     EntryPointer<vision::SceneObject> what, const std::string& waypoint) {
+    if (auto pushed = push_to(action, thing, what, waypoint))
+      return *pushed;
     const auto name = thing.name;
     const auto wanted = memory_.chosen(waypoint);
     std::string reason;
     const auto targets = targets_of(thing, waypoint, reason);
     ActionResult result = ActionResult::failed(reason);
     std::vector<manipulation::PickAndPlace> ways;
-    for (const auto& to : targets)
-      ways.push_back({what, to});
+    for (const auto& x : targets) {
+      ways.push_back({what, x.to});
+      if (x.takes_stop)
+        ways.push_back({what, x.to, true});
+    }
     // Only where there is no place that it can be put at directly.
-    for (const auto& to : targets)
-      ways.push_back({what, to, true});
+    for (const auto& x : targets)
+      if (!x.takes_stop)
+        ways.push_back({what, x.to, true});
     bool is_moved = false;
     for (auto& way : ways) {
       const auto& to = way.to;
       if (is_moved && way.may_put_between)
-        break;
+        continue;
       way.what = what;
       result = done(action, way);
       // Where the arm has tried it, another place is no better.

@@ -223,13 +223,62 @@ TEST(TablePlaces, PlacesWithAStopBetweenAreCloseAndBeforeThoseThatAreUncertain) 
     EXPECT_GT(x.position.y, -0.12);
     EXPECT_LT(distance(x.position, found.targets.front().position), 0.09);
   }
-  // One by one, those that it can be put at directly are as far apart as two of its kind.
+  // One by one, those that it can be put at directly are farther apart.
   options.reach = [&](const GroundPoint& at) {
     return is_in_front(at) ? Reach::direct : Reach::perhaps;
   };
   const auto direct = TablePlaces{three, seat, options}.find(red_ball, wanted, 2);
   ASSERT_EQ(direct.targets.size(), 2U);
-  EXPECT_GE(distance(direct.targets[0].position, direct.targets[1].position), 0.08 - 1e-9);
+  EXPECT_GE(distance(direct.targets[0].position, direct.targets[1].position),
+            options.likely_apart - 1e-9);
+}
+
+TEST(TablePlaces, BesideAThingIsNotFarFromIt) {
+  // The first is left of the second, and far from it.
+  const std::vector<TableObject> two{{{-0.24, 0.0}, 0.03}, {{0.14, 0.02}, 0.03}};
+  const TablePlaces table{two, seat};
+  for (const auto* relation : {"left", "right", "front", "back"}) {
+    const auto at = place_of(table, 0, {relation, {1}});
+    EXPECT_LT(distance(at, two[1].centre) - 0.06, 0.075) << relation;
+  }
+  const std::vector<std::string> none;
+  const auto is_close = [&](double x, const std::string& relation) {
+    const std::vector<TableObject> objects{{{x, 0.02}, 0.03}, {{0.14, 0.02}, 0.03}};
+    for (const auto& held : TablePlaces{objects, seat}.all_held(none))
+      if (held.object == 0 && held.place.relation == relation)
+        return held.is_close;
+    return false;
+  };
+  EXPECT_FALSE(is_close(-0.1, "left"));
+  EXPECT_TRUE(is_close(0.0, "left"));
+  EXPECT_FALSE(is_close(0.01, "near"));
+  EXPECT_TRUE(is_close(0.03, "near"));
+}
+
+TEST(TablePlaces, WhatIsGivenIsAtTheMiddleHalfOfTheFrontEdge) {
+  for (const double side : {-1.0, 1.0}) {
+    const std::vector<TableObject> one{{{side * 0.22, 0.1}, 0.03}};
+    PlacingOptions options;
+    // Where it takes a stop on the way.
+    options.reach = [](const GroundPoint& at) {
+      return at.y < -0.05 ? Reach::by_stop : Reach::direct;
+    };
+    const auto at = place_of(TablePlaces{one, seat, options}, 0, {"at-hand", {}});
+    EXPECT_LT(at.y, -0.2);
+    EXPECT_LE(std::abs(at.x), 0.16);
+  }
+}
+
+TEST(TablePlaces, AQuarterOfTheTableIsTheBetterTheNearerToItsCorner) {
+  const std::vector<TableObject> one{{{0, 0}, 0.03}};
+  PlacingOptions options;
+  options.reach = [](const GroundPoint& at) { return at.y < 0.12 ? Reach::direct : Reach::none; };
+  const TablePlaces table{one, seat, options};
+  const auto at = place_of(table, 0, {"back-left", {}});
+  EXPECT_LT(at.x, -0.2);
+  EXPECT_GT(at.y, 0.08);
+  EXPECT_EQ(table.fit({"back-left", {}}, 0, {0.1, 0.1}), 0);
+  EXPECT_EQ(table.fit({"back-left", {}}, 0, {-0.1, -0.1}), 0);
 }
 
 /// Whatever is found is on the table, fits, and is free.

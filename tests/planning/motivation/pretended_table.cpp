@@ -1,5 +1,7 @@
 #include "castor/tests/planning/motivation/pretended_table.hpp"
 
+#include "castor/planning/tabletop/goal_text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -99,18 +101,47 @@ std::vector<TableThing> PretendedTable::things(const std::vector<std::string>& p
     for (const auto& part : parts)
       if (x.is_on_table() && table.holds({part, {}}, i))
         thing.parts.push_back(part);
+    thing.y = x.what.place.y;
+    thing.radius = x.what.side / 2;
+    thing.height = x.what.side;
+    if (x.on)
+      thing.on = things_[*x.on].what.name;
     result.push_back(std::move(thing));
   }
   return result;
 }
 
-/// Whether nothing stands in the way there.
-bool PretendedTable::is_free(const std::string& waypoint) const {
+TableGoal PretendedTable::begin(TableGoal goal) {
+  for (auto& x : goal.spots) {
+    const auto name = "spot-" + std::to_string(++spots_);
+    waypoints_[name] = {x.x, x.y};
+    const auto end = x.name + ')';
+    for (auto at = goal.formula.find(end); at != std::string::npos; at = goal.formula.find(end, at))
+      goal.formula.replace(at, x.name.size(), name);
+    x.name = name;
+  }
+  return goal;
+}
+
+/// Whether nothing stands in the way there, but what the goal moves.
+bool PretendedTable::is_free(const std::string& waypoint, const TableGoal& goal) const {
   const auto at = waypoints_.at(waypoint);
   return std::ranges::none_of(things_, [&](const auto& x) {
-    return x.is_on_table() && x.waypoint != waypoint &&
+    const auto wanted = waypoint_wanted(goal.formula, x.what.name);
+    const bool leaves = !wanted.empty() && wanted != x.waypoint;
+    return x.is_on_table() && x.waypoint != waypoint && !leaves &&
            std::hypot(x.what.place.x - at.x, x.what.place.y - at.y) < 0.09;
   });
+}
+
+/// What the goal moves has to leave before another is put nearly where it is.
+bool PretendedTable::has_to_wait(const Thing& x, const Thing& other, const TableGoal& goal) const {
+  const std::string wanted{waypoint_wanted(goal.formula, x.what.name)};
+  const auto leaves_for = waypoint_wanted(goal.formula, other.what.name);
+  return x.what.name != other.what.name && wanted != x.waypoint && !leaves_for.empty() &&
+         leaves_for != other.waypoint && wanted != other.waypoint && waypoints_.contains(wanted) &&
+         spatial::distance(waypoints_.at(wanted), other.what.place) <
+           (x.what.side + other.what.side) / 2 + 0.02;
 }
 
 std::string PretendedTable::problem(const TableGoal& goal) const {
@@ -127,8 +158,12 @@ std::string PretendedTable::problem(const TableGoal& goal) const {
     out << ' ' << part << " - part";
   out << ")\n(:init";
   for (const auto& [name, place] : waypoints_)
-    if (is_free(name))
+    if (is_free(name, goal))
       out << " (used " << name << ')';
+  for (const auto& x : things_)
+    for (const auto& other : things_)
+      if (has_to_wait(x, other, goal) && !has_to_wait(other, x, goal))
+        out << " (in-way " << other.what.name << ' ' << x.what.name << ')';
   for (std::size_t i = 0; i < things_.size(); ++i) {
     const auto& x = things_[i];
     out << "\n(= (pos " << x.what.name << ") " << x.waypoint << ')';

@@ -34,6 +34,9 @@ public:
   /// What requests are about.
   std::vector<TableThing> things(const std::vector<std::string>& parts) const;
 
+  /// Begins a goal: knows its spots from now on, by names of their own, which the goal gets.
+  TableGoal begin(TableGoal goal);
+
   /// A problem of the domain playmate.
   std::string problem(const TableGoal& goal) const;
 
@@ -61,7 +64,8 @@ private:
   std::size_t index(const std::string& name) const;
   std::vector<spatial::TableObject> objects() const;
   spatial::TablePlaces places() const;
-  bool is_free(const std::string& waypoint) const;
+  bool is_free(const std::string& waypoint, const TableGoal& goal) const;
+  bool has_to_wait(const Thing& x, const Thing& other, const TableGoal& goal) const;
   void choose(const std::string& waypoint, const std::string& relation,
               std::vector<std::size_t> landmarks);
   std::string move(std::size_t thing, const std::string& to);
@@ -71,6 +75,7 @@ private:
   std::map<std::string, spatial::GroundPoint> waypoints_;
   std::map<std::string, std::vector<spatial::PlaceWanted>> chosen_;
   std::size_t moves_ = 0;
+  std::size_t spots_ = 0;
 };
 
 } // namespace castor::planning::test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,10 +70,39 @@ TEST(TableGoals, ASideAndTheMiddleAreTheMiddleOfThatSide) {
             "(and (in-part b centre) (left-of b a))");
 }
 
-TEST(TableGoals, SortingGivesAStripToEachValue) {
+TEST(TableGoals, ACornerThatIsNotReachedIsAQuarterOfTheTable) {
+  const auto in_front = [](const TableThing&, double, double y) {
+    return y < 0.1 ? spatial::Reach::direct : spatial::Reach::none;
+  };
+  const DirectiveStep back{"Put", {"p/b"}, 0, {{"back-right-corner", {}}}, {}};
+  const auto goal = goal_of(back, table, in_front);
+  EXPECT_EQ(goal.formula, "(and (in-part b back-right))");
+  EXPECT_EQ(goal.result, "The blue ball is at the back right now.");
+  EXPECT_EQ(goal_of(back, table).formula, "(and (in-part b back-right-corner))");
+  const DirectiveStep front{"Put", {"p/b"}, 0, {{"front-right-corner", {}}}, {}};
+  EXPECT_EQ(goal_of(front, table, in_front).formula, "(and (in-part b front-right-corner))");
+}
+
+TEST(TableGoals, WhatIsSwappedHasToFitWhereTheOtherIs) {
+  const auto not_there = [](const TableThing& x, const TableThing&) -> std::optional<std::string> {
+    return x.object == "b" ? "the gripper is too wide for it there" : "";
+  };
+  EXPECT_EQ(goal_of({"Swap", {"p/a", "p/b"}, 0, {}, {}}, table, reach_in_box, not_there).words,
+            "I cannot put the blue ball where the red ball is: the gripper is too wide for it "
+            "there.");
+  EXPECT_EQ(goal_of({"Swap", {"p/a", "p/c"}, 0, {}, {}}, table, reach_in_box, not_there).wish,
+            TableWish::goal);
+}
+
+TEST(TableGoals, SortingPutsThingsOfAValueTogether) {
+  // They stand so already.
   EXPECT_EQ(formula({"Sort", {"p/a", "p/b", "p/c"}, 0, {}, "colour"}),
-            "(and (in-part a strip-1-of-2) (in-part c strip-1-of-2) (in-part b strip-2-of-2))");
+            "(and (= (pos a) at-a) (= (pos c) at-c) (= (pos b) at-b))");
   EXPECT_EQ(formula({"Sort", {"p/a", "p/b", "p/c"}, 0, {}, "shape"}),
+            "(and (= (pos c) at-c) (= (pos a) spot-of-a) (= (pos b) at-b))");
+  // Where there is no room for that, each value has a strip of the table.
+  const auto nowhere = [](const TableThing&, double, double) { return spatial::Reach::none; };
+  EXPECT_EQ(goal_of({"Sort", {"p/a", "p/b", "p/c"}, 0, {}, "shape"}, table, nowhere).formula,
             "(and (in-part c strip-1-of-2) (in-part a strip-2-of-2) (in-part b strip-2-of-2))");
   EXPECT_EQ(refused({"Sort", {"p/a", "p/c"}, 0, {}, "colour"}), "They are all of the same colour.");
   EXPECT_EQ(refused({"Sort", {"p/a", "p/c"}, 0, {}, "size"}),
@@ -326,8 +356,7 @@ TEST(TableGoals, SaysWhatWasMoved) {
 TEST(TableGoals, ThingsOfARowHaveASpotEach) {
   const auto goal = goal_of({"Put", {"p/a", "p/b", "p/c"}, 0, {{"in-row", {}}}, {}}, table);
   EXPECT_EQ(goal.words, "put the red ball, the blue ball and the red box in a row");
-  EXPECT_EQ(goal.formula,
-            "(and (= (pos a) at-a) (= (pos b) spot-of-b) (= (pos c) at-c))");
+  EXPECT_EQ(goal.formula, "(and (= (pos a) at-a) (= (pos b) spot-of-b) (= (pos c) at-c))");
   // What stands right already is not moved.
   EXPECT_EQ(goal.spots.size(), 1U);
   EXPECT_EQ(refused({"Put", {"p/a"}, 0, {{"in-row", {}}}, {}}), "That takes two things at least.");

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -83,7 +84,7 @@ struct Result {
 
 /// Plans, acts, looks at the table, and plans again until nothing is left to be done.
 Result pursue(PretendedTable& table, const DirectiveStep& step) {
-  const auto goal = goal_of(step, table.things(all_parts));
+  const auto goal = table.begin(goal_of(step, table.things(all_parts)));
   if (goal.wish == TableWish::refusal)
     return {Outcome::refused, goal.words};
   if (goal.wish != TableWish::goal)
@@ -142,8 +143,8 @@ Figures done_as_said(const std::string& file) {
       }
     result.moves += table.moves();
   }
-  std::cout << file << ": " << result.steps << " steps, " << result.done << " done, "
-            << result.refused << " refused with a reason, "
+  std::cout << result.failures << file << ": " << result.steps << " steps, " << result.done
+            << " done, " << result.refused << " refused with a reason, "
             << result.steps - result.done - result.refused << " failed; " << result.moves
             << " actions\n";
   return result;
@@ -164,9 +165,16 @@ TEST(TableTasks, ThingsAreSortedByColour) {
   PretendedTable table{six};
   const auto result = pursue(table, {"Sort", {"a", "b", "c", "d", "e", "f"}, 0, {}, "colour"});
   ASSERT_EQ(result.outcome, Outcome::done) << result.words;
-  // Each is nearer to those of its colour in x than a strip is wide.
+  // Each is near to those of its colour.
   EXPECT_LT(std::abs(table.place("a").x - table.place("c").x), 0.15);
   EXPECT_LT(std::abs(table.place("d").x - table.place("f").x), 0.15);
+  // None is nearer to one of another colour.
+  const double together = spatial::distance(table.place("a"), table.place("c")) - 0.07;
+  const double also_together = spatial::distance(table.place("d"), table.place("f")) - 0.07;
+  for (const auto* red : {"a", "c"})
+    for (const auto* green : {"d", "f"})
+      EXPECT_GT(spatial::distance(table.place(red), table.place(green)) - 0.075,
+                std::max(together, also_together));
 }
 
 TEST(TableTasks, ASideIsCleared) {

@@ -106,6 +106,36 @@ TEST_F(TableMemoryTest, AChosenPlaceIsThereUntilAThingIsAtIt) {
   EXPECT_EQ(*memory.place("place-1"), ball.place);
 }
 
+TEST_F(TableMemoryTest, WhatIsFarFromItsLandmarkCountsOnlyWhereItWasPutThere) {
+  const ThingAtPlace far{"o1", {"right", {"o2"}}, false};
+  EXPECT_THAT(facts({}, {far}), Not(Contains("(wp-right-of place-1 p2)")));
+  const auto place = new_place();
+  memory.choose("reposition-right", {place, "p2"});
+  memory.moved("p1", place, "o1", {0.25, 0.0});
+  memory.see({seen_as(ball, "o1", {0.25, 0.0}), box});
+  EXPECT_THAT(facts({}, {far}), Contains("(wp-right-of " + place + " p2)"));
+  // For another goal it is to be brought nearer.
+  new_place();
+  EXPECT_THAT(facts({}, {far}), Not(Contains("(wp-right-of " + place + " p2)")));
+}
+
+TEST_F(TableMemoryTest, KnowsWhereAGoalHasThingsPushed) {
+  TableGoal goal;
+  goal.formula = "(and (= (pos p1) spot-of-p1))";
+  goal.spots = {{"spot-of-p1", 0.07, 0.02}};
+  goal.push_distance = 0.08;
+  memory.begin(goal);
+  const auto* place = memory.wanted_place("p1");
+  ASSERT_NE(place, nullptr);
+  EXPECT_EQ(*place, (spatial::GroundPoint{0.07, 0.02}));
+  EXPECT_EQ(memory.wanted_place("p2"), nullptr);
+  EXPECT_EQ(memory.push_distance(), 0.08);
+  EXPECT_TRUE(memory.is_pushed_to("place-3"));
+  EXPECT_FALSE(memory.is_pushed_to("place-1"));
+  memory.begin({});
+  EXPECT_FALSE(memory.is_pushed_to("place-3"));
+}
+
 TEST_F(TableMemoryTest, WhatStandsOnAnotherThingIsKept) {
   const auto place = new_place();
   memory.choose("reposition-on", {place, "p2"});
