@@ -118,6 +118,28 @@ std::vector<PlacePhrase> with_corner(std::vector<PlacePhrase> places) {
   return {{std::string{corner->second}, nullptr}};
 }
 
+bool is_middle(const Nominal* x) {
+  const auto known = x == nullptr ? parts.end() : parts.find(x->proposition);
+  return known != parts.end() && known->second == "centre";
+}
+
+/// "In the middle of the front edge", "at the front edge in the middle": the edge; null if it is
+/// something else.
+const Nominal* side_in_middle_of(const LogicalForm& form, const Nominal& destination,
+                                 const Nominal& anchor) {
+  if (is_middle(&destination))
+    return &anchor;
+  if (is_middle(&anchor)) {
+    const auto* owner = dependent(form, anchor, "Owner");
+    return owner != nullptr && owner->sort == "place" ? owner : nullptr;
+  }
+  const auto* where = dependent(form, anchor, "Location");
+  if (where == nullptr)
+    return nullptr;
+  const auto* middle = dependent(form, *where, "Anchor");
+  return is_middle(middle == nullptr ? where : middle) ? &anchor : nullptr;
+}
+
 /// The side of something else than what everything is on: "the left side of the box".
 PlacePhrase side_of(const Nominal& owner, const std::string& side) {
   constexpr std::array<std::string_view, 4> sides{"left", "right", "front", "back"};
@@ -191,6 +213,8 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
   if (anchor->sort == "person")
     return {{"front", nullptr}};
   if (anchor->sort == "place") {
+    if (const auto* side = side_in_middle_of(form, destination, *anchor))
+      return {part_named(form, *side, vocabulary), {"centre", nullptr}};
     auto result = part_named(form, *anchor, vocabulary);
     if (result.landmark == nullptr)
       result.relation = part_by(destination.proposition, anchor->proposition);

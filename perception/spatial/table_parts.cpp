@@ -169,4 +169,8 @@ std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
   return std::nullopt;
 }
 
+bool is_part_of_table(std::string_view part) {
+  return fit_in_part(part, {{-1, -1}, {1, 1}}, {}, edge_width).has_value();
+}
+
 } // namespace castor::spatial

@@ -30,6 +30,9 @@ inline constexpr double hand_reach = 0.35;
 std::optional<double> fit_in_part(std::string_view part, const TableArea& area,
                                   const GroundPoint& centre, double radius);
 
+/// Whether fit_in_part() knows it.
+bool is_part_of_table(std::string_view part);
+
 /// "At the front in the middle", "in the middle of the front edge".
 bool is_middle_of_side(std::string_view part);
 

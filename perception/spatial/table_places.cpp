@@ -233,6 +233,8 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
     double value = 0;
     Reach reach = Reach::direct;
     bool is_likely = false;
+    /// One that is found already is beside it.
+    bool is_beside = false;
   };
   std::vector<Candidate> candidates;
   bool is_somewhere = false;
@@ -265,18 +267,23 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
                          far_off(places, object, centre);
       const double narrow = 0.3 * std::max(0.0, 1 - gap / options_.ample_clearance);
       const double border = fits_around(places, object, centre) ? 0 : 1;
-      candidates.push_back({centre, fit, fit - far - narrow - border - less, reach, unlikely == 0});
+      candidates.push_back(
+        {centre, fit, fit - far - narrow - border - less, reach, unlikely == 0, false});
     }
   PlacesFound result;
   while (result.targets.size() < count && !candidates.empty()) {
     const auto best = *std::ranges::max_element(candidates, {}, &Candidate::value);
     result.targets.push_back({best.centre, best.fit, {}, best.reach});
-    // A place beside one that is not possible may be.
     std::erase_if(candidates, [&](const Candidate& y) {
-      const bool are_likely = y.is_likely && best.is_likely;
-      return distance(y.centre, best.centre) <
-             (are_likely ? options_.likely_apart : options_.close);
+      return distance(y.centre, best.centre) < options_.close;
     });
+    // A place beside one that is not possible may be; others are tried first that are as likely.
+    for (auto& y : candidates)
+      if (best.is_likely && y.is_likely && !y.is_beside &&
+          distance(y.centre, best.centre) < options_.likely_apart) {
+        y.is_beside = true;
+        y.value -= less_likely / 2;
+      }
   }
   if (result.targets.empty())
     result.reason = !is_somewhere        ? "there is no such place on the table"

@@ -48,9 +48,9 @@ struct PlacingOptions {
   double ample_clearance = 0.06;
   /// Between the positions that are looked at, at most, metres.
   double step = 0.01;
-  /// Between positions that are found but may not be possible, metres.
+  /// Between positions that are found, metres: hands find out that some are not possible.
   double close = 0.03;
-  /// Between others, metres: hands find out that they are not possible either.
+  /// Between those of them that come first, metres, of the ones that are likely possible.
   double likely_apart = 0.05;
   /// Gap up to which something is near a landmark, metres.
   double near_gap = 0.08;

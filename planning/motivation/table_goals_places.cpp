@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 /// Goals that are about places of things.
@@ -30,6 +31,16 @@ with_middles_of_sides(std::vector<communication::DirectivePlace> places) {
   side->relation += "-middle";
   places.erase(centre);
   return places;
+}
+
+/// Clear of the lines through the middle of the table.
+/// \param quarter such as "back-left"
+bool is_in_quarter(const TableThing& x, std::string_view quarter) {
+  const auto is_beyond = [&](double along, std::string_view towards_less) {
+    return quarter.find(towards_less) != std::string_view::npos ? along < -x.radius
+                                                                : along > x.radius;
+  };
+  return !x.is_held && is_beyond(x.x, "left") && is_beyond(x.y, "front");
 }
 
 bool is_measured_place(const communication::DirectivePlace& x) {
@@ -185,16 +196,25 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
   // As near to it as can be reached.
   constexpr std::string_view corner = "-corner";
   const auto reaches = [&](const TableThing* x) { return is_corner_reached(*x, part); };
-  if (part.ends_with(corner) &&
-      (is_one_corner ? !reaches(things_.front()) : !std::ranges::all_of(things_, reaches)))
+  const bool is_in_corner =
+    !part.ends_with(corner) ||
+    (is_one_corner ? reaches(things_.front()) : std::ranges::all_of(things_, reaches));
+  if (!is_in_corner) {
+    const auto wanted = words_for(part_words, part);
     part.resize(part.size() - corner.size());
+    if (std::ranges::all_of(things_, [&](const TableThing* x) { return is_in_quarter(*x, part); }))
+      return "The corner is out of reach with " + listed(things_) + ", which" + are(things_) + ' ' +
+             std::string{words_for(part_words, part)} + " already.";
+    constexpr std::string_view in = "in ";
+    where += " as near to " + std::string{wanted.substr(in.size())} + " as I reach";
+  } else
+    where += ' ' + std::string{words_for(part_words, part)};
   for (const auto* x : things_)
     if (is_one_corner && x != things_.front()) {
       facts_.push_back("(near " + x->object + ' ' + things_.front()->object + ')');
       ++places_;
     } else
       facts_.push_back(in_part(*x, part));
-  where += ' ' + std::string{words_for(part_words, part)};
   return std::nullopt;
 }
 

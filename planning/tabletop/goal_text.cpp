@@ -1,6 +1,6 @@
 #include "castor/planning/tabletop/goal_text.hpp"
 
-#include "castor/communication/types.hpp"
+#include "castor/perception/spatial/table_parts.hpp"
 
 #include <set>
 
@@ -47,11 +47,8 @@ std::vector<std::string> parts_in(std::string_view goal) {
     if (begin == std::string_view::npos || end == std::string_view::npos || begin > end)
       continue;
     auto part = std::string{goal.substr(begin + 1, end - begin - 1)};
-    // That it was given to somebody, too, is known by what was done.
-    if (part != "elsewhere" && part != "aside" && part != "there" && part != "at-hand" &&
-        !part.starts_with("further-") && !part.starts_with("slightly-") && part != "on" &&
-        part != "on-top" && part != "each-corner" && part != "roomiest" &&
-        part != "opposite-corner" && part != "some-way" && !communication::is_arrangement(part))
+    // That it was given to somebody is known by what was done.
+    if (part != "at-hand" && spatial::is_part_of_table(part))
       result.insert(std::move(part));
   }
   return {result.begin(), result.end()};

@@ -231,6 +231,15 @@ TEST(TablePlaces, PlacesWithAStopBetweenAreCloseAndBeforeThoseThatAreUncertain) 
   ASSERT_EQ(direct.targets.size(), 2U);
   EXPECT_GE(distance(direct.targets[0].position, direct.targets[1].position),
             options.likely_apart - 1e-9);
+  // Then come those beside them, and only then those that are uncertain.
+  const auto more = TablePlaces{three, seat, options}.find(red_ball, wanted, 8).targets;
+  const auto is_direct = [&](const auto& x) { return is_in_front(x.position); };
+  const auto uncertain = std::ranges::find_if_not(more, is_direct);
+  EXPECT_NE(uncertain, more.end());
+  EXPECT_TRUE(std::none_of(uncertain, more.end(), is_direct));
+  EXPECT_TRUE(std::any_of(more.begin() + 1, uncertain, [&](const auto& x) {
+    return distance(x.position, more.front().position) < options.likely_apart;
+  }));
 }
 
 TEST(TablePlaces, BesideAThingIsNotFarFromIt) {

@@ -77,10 +77,19 @@ TEST(TableGoals, ACornerThatIsNotReachedIsAQuarterOfTheTable) {
   const DirectiveStep back{"Put", {"p/b"}, 0, {{"back-right-corner", {}}}, {}};
   const auto goal = goal_of(back, table, in_front);
   EXPECT_EQ(goal.formula, "(and (in-part b back-right))");
-  EXPECT_EQ(goal.result, "The blue ball is at the back right now.");
+  EXPECT_EQ(goal.words, "put the blue ball as near to the back right corner as I reach");
+  EXPECT_EQ(goal.result, "The blue ball is as near to the back right corner as I reach now.");
   EXPECT_EQ(goal_of(back, table).formula, "(and (in-part b back-right-corner))");
   const DirectiveStep front{"Put", {"p/b"}, 0, {{"front-right-corner", {}}}, {}};
   EXPECT_EQ(goal_of(front, table, in_front).formula, "(and (in-part b front-right-corner))");
+  auto there = table;
+  for (auto& x : there)
+    if (x.object == "b") {
+      x.x = 0.1;
+      x.y = 0.08;
+    }
+  EXPECT_EQ(goal_of(back, there, in_front).words,
+            "The corner is out of reach with the blue ball, which is at the back right already.");
 }
 
 TEST(TableGoals, WhatIsSwappedHasToFitWhereTheOtherIs) {
