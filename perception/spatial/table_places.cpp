@@ -19,6 +19,8 @@ constexpr double away_distance = 0.20;
 constexpr double height_inaccuracy = 0.015;
 /// Worse than all places that are more likely to be possible.
 constexpr double less_likely = 4;
+/// So many places beside likely ones come before unlikely ones.
+constexpr std::size_t most_beside = 4;
 /// So much worse places at hand are that take a stop on the way.
 constexpr double stop_at_hand = 0.1;
 
@@ -271,11 +273,14 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
         {centre, fit, fit - far - narrow - border - less, reach, unlikely == 0, false});
     }
   PlacesFound result;
+  std::size_t beside = 0;
   while (result.targets.size() < count && !candidates.empty()) {
     const auto best = *std::ranges::max_element(candidates, {}, &Candidate::value);
     result.targets.push_back({best.centre, best.fit, {}, best.reach});
+    beside += best.is_beside ? 1 : 0;
     std::erase_if(candidates, [&](const Candidate& y) {
-      return distance(y.centre, best.centre) < options_.close;
+      return distance(y.centre, best.centre) < options_.close ||
+             (y.is_beside && beside == most_beside);
     });
     // A place beside one that is not possible may be; others are tried first that are as likely.
     for (auto& y : candidates)

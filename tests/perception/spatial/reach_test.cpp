@@ -89,8 +89,7 @@ TEST(Reach, IsDirectWhereAThingCanBeHeldAsItIs) {
 
 TEST(Reach, OnSquaresIsThatInTheirMiddles) {
   const ReachOfThing low{reach(), 0.02, 0b001};
-  EXPECT_EQ(low.on_squares(),
-            (std::vector{low.at({0.05, 0.05}), low.at({0.15, 0.05})}));
+  EXPECT_EQ(low.on_squares(), (std::vector{low.at({0.05, 0.05}), low.at({0.15, 0.05})}));
 }
 
 TEST(Reach, ThingsArePutWhereItIs) {
@@ -114,7 +113,7 @@ TEST(Reach, WhereItIsNotKnownComesLast) {
   options.reach = [](const GroundPoint& x) {
     return x.x > 0.2 ? Reach::direct : x.x > 0.1 ? Reach::perhaps : Reach::none;
   };
-  const auto found = TablePlaces{objects, {0, -0.6}, options}.find(0, wanted, 20).targets;
+  const auto found = TablePlaces{objects, {0, -0.6}, options}.find(0, wanted, 30).targets;
   ASSERT_GE(found.size(), 3U);
   EXPECT_GT(found.front().position.x, 0.2);
   EXPECT_LE(found.back().position.x, 0.2);

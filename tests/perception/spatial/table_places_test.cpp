@@ -232,7 +232,7 @@ TEST(TablePlaces, PlacesWithAStopBetweenAreCloseAndBeforeThoseThatAreUncertain) 
   EXPECT_GE(distance(direct.targets[0].position, direct.targets[1].position),
             options.likely_apart - 1e-9);
   // Then come those beside them, and only then those that are uncertain.
-  const auto more = TablePlaces{three, seat, options}.find(red_ball, wanted, 8).targets;
+  const auto more = TablePlaces{three, seat, options}.find(red_ball, wanted, 12).targets;
   const auto is_direct = [&](const auto& x) { return is_in_front(x.position); };
   const auto uncertain = std::ranges::find_if_not(more, is_direct);
   EXPECT_NE(uncertain, more.end());
