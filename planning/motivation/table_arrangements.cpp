@@ -50,13 +50,10 @@ std::vector<TableSpot> around(const std::vector<Offsets>& arrangements, const Th
   double least = std::numeric_limits<double>::infinity();
   std::vector<TableSpot> result;
   const auto try_around = [&](const TablePoint& middle, const Offsets& offsets) {
-    std::vector<TablePoint> places;
-    for (std::size_t i = 0; i < things.size(); ++i) {
-      const auto& at =
-        places.emplace_back(TablePoint{middle.x + offsets[i].x, middle.y + offsets[i].y});
-      if (!is_on_side(at.x, at.y, things[i]->radius, wanted.side))
+    auto places = layouts::places_around(middle, offsets);
+    for (std::size_t i = 0; i < things.size(); ++i)
+      if (!is_on_side(places[i].x, places[i].y, things[i]->radius, wanted.side))
         return;
-    }
     const TablePlaced placed(std::move(places), things, wanted.room);
     if (const auto needed = placed.effort(); needed && *needed < least) {
       least = *needed;

@@ -24,6 +24,10 @@ std::string are(const std::vector<const TableThing*>& things) {
   return things.size() == 1 ? " is" : " are";
 }
 
+std::string at_waypoint(const TableThing& x, const std::string& waypoint) {
+  return "(= (pos " + x.object + ") " + waypoint + ')';
+}
+
 std::string sentence(std::string words) {
   words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   return words + '.';
@@ -231,8 +235,7 @@ TableGoal TableGoalMaker::swap() {
   for (const auto& [x, other] : {std::pair{&a, &b}, {&b, &a}})
     if (auto problem = beyond_reach(*x, *other))
       return refusal(std::move(*problem));
-  facts_ = {"(= (pos " + a.object + ") " + b.waypoint + ')',
-            "(= (pos " + b.object + ") " + a.waypoint + ')'};
+  facts_ = {at_waypoint(a, b.waypoint), at_waypoint(b, a.waypoint)};
   return goal("swap " + listed(things_), listed(things_) + " have changed places");
 }
 

@@ -119,6 +119,9 @@ TableGoal refusal(std::string words);
 std::string listed(const std::vector<const TableThing*>& things);
 std::string are(const std::vector<const TableThing*>& things);
 
+/// The fact that it is there.
+std::string at_waypoint(const TableThing& x, const std::string& waypoint);
+
 /// With a capital and a full stop.
 std::string sentence(std::string words);
 

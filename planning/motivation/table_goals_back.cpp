@@ -25,7 +25,7 @@ TableGoal TableGoalMaker::put_back() {
   for (const auto* x : things_) {
     if (x->waypoint_before.empty())
       return refusal("I have not moved " + x->words + ": it is where I saw it first.");
-    facts_.push_back("(= (pos " + x->object + ") " + x->waypoint_before + ')');
+    facts_.push_back(at_waypoint(*x, x->waypoint_before));
   }
   return goal("put " + listed(things_) + " back",
               listed(things_) + are(things_) + " where " + it_was() + " before");
@@ -78,7 +78,7 @@ TableGoal TableGoalMaker::put_as_noted() {
 
 void TableGoalMaker::back_to(const TableThing& x, const std::string& waypoint) {
   things_.push_back(&x);
-  facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
+  facts_.push_back(at_waypoint(x, waypoint));
 }
 
 std::string TableGoalMaker::it_was() const {

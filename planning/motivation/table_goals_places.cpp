@@ -123,7 +123,7 @@ void TableGoalMaker::stand_at(std::vector<TableSpot> spots) {
   for (std::size_t i = 0; i < things_.size(); ++i) {
     const auto& x = *things_[i];
     const bool is_right = std::hypot(spots[i].x - x.x, spots[i].y - x.y) < stands_right;
-    facts_.push_back("(= (pos " + x.object + ") " + (is_right ? x.waypoint : spots[i].name) + ')');
+    facts_.push_back(at_waypoint(x, is_right ? x.waypoint : spots[i].name));
     if (!is_right)
       spots_.push_back(std::move(spots[i]));
   }
@@ -149,7 +149,7 @@ TableGoal TableGoalMaker::put_where_another_is(const DirectivePlace& place,
     return refusal("I hold " + other->words + ". Tell me to put it down first.");
   if (auto problem = was ? std::nullopt : beyond_reach(x, *other))
     return refusal(std::move(*problem));
-  facts_.push_back("(= (pos " + x.object + ") " + waypoint + ')');
+  facts_.push_back(at_waypoint(x, waypoint));
   ++places_;
   return goal(verb + " where " + other->words + (was ? " was" : " is"),
               x.words + " is where " + other->words + " was");
@@ -171,7 +171,7 @@ std::optional<std::string> TableGoalMaker::put_further(const Shift& shift, doubl
       if (!other.is_held && std::ranges::find(things_, &other) == things_.end() &&
           std::hypot(other.x - spot.x, other.y - spot.y) < other.radius + x->radius)
         return sentence(other.words + " is in the way there") + " Take it away first.";
-    facts_.push_back("(= (pos " + x->object + ") " + spot.name + ')');
+    facts_.push_back(at_waypoint(*x, spot.name));
     spots_.push_back(std::move(spot));
   }
   if (distance > 0)

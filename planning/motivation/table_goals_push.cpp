@@ -118,7 +118,7 @@ std::optional<std::string> TableGoalMaker::push_one(const TableThing& x,
   for (; distance > least - rounding; distance -= room_step)
     if (in_way(distance) == nullptr && room_.effort(x, at(distance))) {
       auto spot = spot_for(x, at(distance));
-      facts_.push_back("(= (pos " + x.object + ") " + spot.name + ')');
+      facts_.push_back(at_waypoint(x, spot.name));
       spots_.push_back(std::move(spot));
       return std::nullopt;
     }

@@ -67,7 +67,7 @@ std::optional<std::string> TableGoalMaker::put_at_spot(const DirectivePlace& pla
   auto spot = measured_spot(place.relation, place.distance, x, landmarks, room_);
   if (!spot)
     return "There is no room for " + x.words + words + ".";
-  facts_.push_back("(= (pos " + x.object + ") " + spot->name + ')');
+  facts_.push_back(at_waypoint(x, spot->name));
   spots_.push_back(std::move(*spot));
   where += words;
   return std::nullopt;
@@ -86,7 +86,7 @@ TableGoal TableGoalMaker::put_on_both_sides(const DirectivePlace& place) {
   if (spots_.empty())
     return refusal("There is no room for them " + words + '.');
   for (std::size_t i = 0; i < things_.size(); ++i)
-    facts_.push_back("(= (pos " + things_[i]->object + ") " + spots_[i].name + ')');
+    facts_.push_back(at_waypoint(*things_[i], spots_[i].name));
   return goal("put " + listed(things_) + ' ' + words, listed(things_) + " are " + words + " now");
 }
 

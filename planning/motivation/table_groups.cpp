@@ -48,8 +48,7 @@ bool stand_together(const Things& things) {
   Things reached{things.front()};
   for (std::size_t i = 0; i < reached.size(); ++i)
     for (const auto* x : things)
-      if (distance(place_of(*reached[i]), place_of(*x)) - reached[i]->radius - x->radius <=
-            together &&
+      if (gap_between(*reached[i], *x) <= together &&
           std::ranges::find(reached, x) == reached.end())
         reached.push_back(x);
   return reached.size() == things.size();
@@ -76,17 +75,11 @@ std::vector<Standing> all_standings(const Things& things, const Things& all,
   if (things.size() > 2)
     offsets.push_back(layouts::in_two_rows(things));
   for (const auto& x : offsets) {
-    const auto add_around = [&](const TablePoint& middle) {
-      std::vector<TablePoint> places;
-      for (const auto& offset : x)
-        places.push_back({middle.x + offset.x, middle.y + offset.y});
-      add(std::move(places));
-    };
     for (std::size_t i = 0; i < things.size(); ++i)
-      add_around({now[i].x - x[i].x, now[i].y - x[i].y});
+      add(layouts::places_around({now[i].x - x[i].x, now[i].y - x[i].y}, x));
     for (double a = -table_half_width; a <= table_half_width; a += room_step)
       for (double b = -table_half_depth; b <= table_half_depth; b += room_step)
-        add_around({a, b});
+        add(layouts::places_around({a, b}, x));
   }
   return result;
 }

@@ -74,6 +74,13 @@ TablePoint middle_of(const Things& things) {
   return {sum.x / count, sum.y / count};
 }
 
+std::vector<TablePoint> places_around(const TablePoint& middle, const Offsets& offsets) {
+  std::vector<TablePoint> result;
+  for (const auto& x : offsets)
+    result.push_back({middle.x + x.x, middle.y + x.y});
+  return result;
+}
+
 std::vector<Offsets> in_row(const Things& things) {
   return in_line(things, ranks(things, [](const TableThing& t) { return t.x; }), {1, 0});
 }

@@ -12,6 +12,7 @@ using Offsets = std::vector<TablePoint>;
 using Things = std::vector<const TableThing*>;
 
 TablePoint middle_of(const Things& things);
+std::vector<TablePoint> places_around(const TablePoint& middle, const Offsets& offsets);
 
 // With narrow and with wider gaps; by their ranks from left to right, in the order in which they
 // are given, or from front to back.

@@ -7,11 +7,6 @@ namespace castor::planning {
 
 namespace {
 
-double gap_between(const TablePoint& a, const TableThing& x, const TablePoint& b,
-                   const TableThing& y) {
-  return distance(a, b) - x.radius - y.radius;
-}
-
 /// Whether all things can be put at their places one after the other: each when those have left
 /// that stand there now.
 /// @param waits_for for each, indices of others
@@ -72,7 +67,7 @@ bool TablePlaced::stays(std::size_t i) const {
 
 bool TablePlaced::is_too_near(std::size_t i, const TablePoint& at, const TableThing& other) const {
   constexpr double rounding = 1e-6;
-  return gap_between(at_[i], *things_[i], at, other) < finger_gap - rounding;
+  return gap_between(*things_[i], at_[i], other, at) < finger_gap - rounding;
 }
 
 /// From where the things before it are to be.

@@ -28,6 +28,17 @@ inline double distance(const TablePoint& a, const TablePoint& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+/// From rim to rim, if one thing stands at `a` and the other one at `b`; metres.
+inline double gap_between(const TableThing& x, const TablePoint& a, const TableThing& y,
+                          const TablePoint& b) {
+  return distance(a, b) - x.radius - y.radius;
+}
+
+/// Where they stand.
+inline double gap_between(const TableThing& x, const TableThing& y) {
+  return gap_between(x, place_of(x), y, place_of(y));
+}
+
 /// "spot-of-" and its object.
 TableSpot spot_for(const TableThing& thing, const TablePoint& at);
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace castor::planning {
@@ -37,18 +38,13 @@ TablePoint direction_from(const TablePoint& a, const TablePoint& b) {
   return length < 1e-6 ? TablePoint{1, 0} : TablePoint{(b.x - a.x) / length, (b.y - a.y) / length};
 }
 
-double gap_between(const TableThing& a, const TableThing& b) {
-  return distance(place_of(a), place_of(b)) - a.radius - b.radius;
-}
-
-/// Gaps for "closer" and "farther", the first that there is room for.
+/// "Closer" and "farther"; nothing if it cannot be closer.
 /// @param change of the gap as it is said, or 0
-std::vector<double> changed_gaps(std::string_view relation, double change, double gap) {
+std::optional<double> changed_gap(std::string_view relation, double change, double gap) {
   if (relation == "farther")
-    return {gap + (change > 0 ? change : farther_by)};
-  if (change > 0)
-    return gap - change < narrow_gap ? std::vector<double>{} : std::vector{gap - change};
-  return gap / 2 < narrow_gap ? std::vector<double>{} : std::vector{gap / 2};
+    return gap + (change > 0 ? change : farther_by);
+  const double closer = change > 0 ? gap - change : gap / 2;
+  return closer < narrow_gap ? std::nullopt : std::optional{closer};
 }
 
 std::vector<TablePoint> candidates(std::string_view relation, double gap, const TableThing& thing,
@@ -74,11 +70,11 @@ std::vector<TablePoint> candidates(std::string_view relation, double gap, const 
   }
   if (relation == "closer" || relation == "farther") {
     const auto own = direction_from(first, place_of(thing));
-    std::vector<TablePoint> result;
-    for (const double wanted : changed_gaps(relation, gap, gap_between(thing, *landmarks.front())))
-      result.push_back({first.x + (beside - std::max(gap, 0.0) + wanted) * own.x,
-                        first.y + (beside - std::max(gap, 0.0) + wanted) * own.y});
-    return result;
+    const auto wanted = changed_gap(relation, gap, gap_between(thing, *landmarks.front()));
+    if (!wanted)
+      return {};
+    const double way = beside - std::max(gap, 0.0) + *wanted;
+    return {{first.x + way * own.x, first.y + way * own.y}};
   }
   constexpr std::array<std::pair<std::string_view, TablePoint>, 4> sides{
     {{"left", {-1, 0}}, {"right", {1, 0}}, {"front", {0, -1}}, {"back", {0, 1}}}};

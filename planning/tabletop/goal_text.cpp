@@ -38,6 +38,10 @@ std::string_view waypoint_wanted(std::string_view goal, std::string_view thing) 
   return goal.substr(begin, goal.find(')', begin) - begin);
 }
 
+bool is_seen_part(std::string_view relation) {
+  return relation != "at-hand" && spatial::is_part_of_table(relation);
+}
+
 std::vector<std::string> parts_in(std::string_view goal) {
   constexpr std::string_view head = "(in-part ";
   std::set<std::string> result;
@@ -47,8 +51,7 @@ std::vector<std::string> parts_in(std::string_view goal) {
     if (begin == std::string_view::npos || end == std::string_view::npos || begin > end)
       continue;
     auto part = std::string{goal.substr(begin + 1, end - begin - 1)};
-    // That it was given to somebody is known by what was done.
-    if (part != "at-hand" && spatial::is_part_of_table(part))
+    if (is_seen_part(part))
       result.insert(std::move(part));
   }
   return {result.begin(), result.end()};

@@ -20,8 +20,7 @@ public:
   /// - they follow them;
   /// - `comes_first`: the step that is done, or the request that was given up last, comes after;
   /// - `corrects`: they take the place of the last request that is not done yet, if there is one.
-  /// If
-  ///   another thing was taken, it is put back first.
+  ///   If another thing was taken, it is put back first.
   /// \returns the motive that is not wanted now; without an id for none
   Address add(const std::vector<RequestedStep>& steps, const communication::MoveReferents& said);
 

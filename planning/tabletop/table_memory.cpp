@@ -404,7 +404,7 @@ void TableMemory::moved(const std::string& name, const std::string& waypoint, co
   for (const auto& y : wanted)
     if (y.relation == "on" && !y.landmarks.empty())
       x->on = y.landmarks.front();
-    else if (y.landmarks.empty() && parts_in("(in-part x " + y.relation + ')').empty())
+    else if (y.landmarks.empty() && !is_seen_part(y.relation))
       // That it is elsewhere is known by what was done only.
       done_.insert("(wp-in " + waypoint + ' ' + y.relation + ')');
     else if (!y.landmarks.empty())

@@ -267,9 +267,8 @@ class ArmExecutor final : public ResumesManipulation {
     PushGoal result{x.distance};
     if (const double length = std::hypot(x.x, x.y); length > 0) {
       const auto to_arm = geometry::inverse(placement(), arm_frame);
-      const auto from = geometry::transform(to_arm, Point3{});
-      const auto to = geometry::transform(to_arm, Point3{x.x / length, x.y / length, 0});
-      result.along = Point3{to.x - from.x, to.y - from.y, 0};
+      const auto along = geometry::rotate(to_arm.rotation, {x.x / length, x.y / length, 0});
+      result.along = Point3{along.x, along.y, 0};
     }
     const double radius = thing.thing.solid.size.x / 2;
     result.may_end_at = [this, radius](const Point3& at) {

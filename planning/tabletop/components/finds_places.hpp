@@ -112,9 +112,10 @@ protected:
       for (auto& landmark : place.landmarks)
         if (const auto* thing = memory_.thing(landmark))
           landmark = thing->seen.id;
-      const auto seen = parts_in("(in-part x " + place.relation + ')');
-      parts.insert(parts.end(), seen.begin(), seen.end());
-      if (place.relation != "on" && (!place.landmarks.empty() || !seen.empty()))
+      const bool is_seen = is_seen_part(place.relation);
+      if (is_seen)
+        parts.push_back(place.relation);
+      if (place.relation != "on" && (!place.landmarks.empty() || is_seen))
         wanted.push_back(std::move(place));
     }
     const auto held = places(std::move(parts));

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,11 +59,11 @@ class TableExecutor final : public FindsPlaces {
   TableGoalReply goal(const TableGoalRequest& request) {
     const auto& step = request.step;
     see();
-    std::string formula;
+    std::set<std::string> parts;
     for (const auto& place : step.places)
-      if (place.landmarks.empty())
-        formula += "(in-part x " + place.relation + ')';
-    const auto things = memory_.things(places(parts_in(formula)));
+      if (place.landmarks.empty() && is_seen_part(place.relation))
+        parts.insert(place.relation);
+    const auto things = memory_.things(places({parts.begin(), parts.end()}));
     auto goal = goal_of(step, things, reach_of(things), exchange());
     if (request.begins && (goal.wish == TableWish::keep || goal.wish == TableWish::keep_clear ||
                            goal.wish == TableWish::allow)) {
