@@ -179,16 +179,19 @@ protected:
   std::chrono::nanoseconds crash(System& system, const std::string& name, int number) {
     auto begin = Clock::now();
     EXPECT_TRUE(system.faults().inject(name, ComponentFault{}));
-    ignores_cancel = false;
-    // An executor that crashes would otherwise begin before that.
-    if (name != "executor")
+    auto release = [this] {
+      ignores_cancel = false;
       locks.store(nullptr);
+    };
+    // An executor that is to crash could otherwise begin or end its action before that.
+    if (name != "executor")
+      release();
     EXPECT_TRUE(eventually([&] {
       auto x = find(system, 0, number);
       return !x || x->status == ActionStatus::over;
     }));
     auto result = Clock::now() - begin;
-    locks.store(nullptr);
+    release();
     return result;
   }
 
