@@ -22,6 +22,7 @@ install(FILES
   communication/lexicon/english.ccg
   communication/lexicon/actions.ccg
   communication/lexicon/paraphrases.words
+  communication/lexicon/examples.words
   communication/lexicon/tabletop.words
   DESTINATION "${CMAKE_INSTALL_DATADIR}/castor/language")
 # The command finds them in the build tree, too.

@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=(
   g++ cmake ccache ninja-build pkg-config
   libcaf-dev libceres-dev libcli11-dev libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libopencv-dev
-  libssl-dev libgraphviz-dev libpango1.0-dev librsvg2-dev libsqlite3-dev zlib1g-dev
+  libssl-dev libgraphviz-dev libpango1.0-dev librsvg2-dev libsqlite3-dev libstemmer-dev zlib1g-dev
   # Maps of robots.
   libmrpt-maps-dev libmrpt-slam-dev liboctomap-dev
   # Motions of arms; OMPL needs those of Boost without saying so. Descriptions of arms of others.

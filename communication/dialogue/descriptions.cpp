@@ -249,8 +249,8 @@ bool is_deictic(const Nominal& nominal) {
 }
 
 bool is_participant(const Nominal& nominal) {
-  return nominal.sort == "person" &&
-         (nominal.proposition == "i" || nominal.proposition == "you" || nominal.proposition == "we");
+  return nominal.sort == "person" && (nominal.proposition == "i" || nominal.proposition == "you" ||
+                                      nominal.proposition == "we");
 }
 
 std::size_t place_of_word(const Nominal& nominal) {

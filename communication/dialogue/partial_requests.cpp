@@ -7,6 +7,7 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
+#include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/dialogue/reparsing.hpp"
 #include "castor/communication/dialogue/request_gist.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
@@ -407,7 +408,11 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
   PartSearch search{parser, words};
   if (auto result = search.run())
     return result;
+  if (auto result = likely_meaning(parser, words))
+    return result;
   if (auto result = request_gist(parser, words))
+    return result;
+  if (auto result = possible_meaning(parser, words))
     return result;
   if (auto result = search.without_place())
     return result;

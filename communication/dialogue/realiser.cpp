@@ -252,7 +252,7 @@ bool begins_with_vowel(const std::string& word) {
 
 /// Writes words as people do: a capital at the beginning, "an" before vowels, no blank before what
 /// is written together with the word before it.
-std::string written(const std::string& words, DialogueMoveType move) {
+std::string sentence_written(const std::string& words, DialogueMoveType move) {
   std::istringstream in(words);
   std::vector<std::string> parts;
   for (std::string word; in >> word;)
@@ -348,7 +348,7 @@ std::optional<std::string> Realiser::realise_whole(const LogicalForm& form) {
   const auto words = entries_.candidates(target.predications());
   for (const auto combining : {Combining::application, Combining::all})
     if (const auto said = Realisation(target, words, grammar_, limits_.edges, combining).find())
-      return written(*said, dialogue_move_type(form));
+      return sentence_written(*said, dialogue_move_type(form));
   return std::nullopt;
 }
 

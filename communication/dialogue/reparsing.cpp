@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/beside_requests.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/function_words.hpp"
+#include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/pauses.hpp"
 
@@ -27,6 +28,10 @@ std::optional<PackedLogicalForm> parsed_otherwise(Parser& parser, const WordList
     return result;
   if (auto result = parsed_request_alone(parser, words))
     return result;
+  // "Stick blue on red" does not ask whether a stick is on it.
+  if (!paraphrased(words, parser.lexicon(), false))
+    if (auto result = likely_meaning(parser, words))
+      return result;
   // "How many balls red" asks how many are red, rather than "how many balls, red or not".
   if (auto result = parsed_with_function_words(parser, words))
     return result;

@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/beside_requests.hpp"
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/directive.hpp"
+#include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
@@ -129,7 +130,7 @@ private:
         continue;
       if (begins_place_phrase(first) && is_place(said))
         return {{{Kind::place, std::move(said)}, length}};
-      if (auto thing = thing_of(said))
+      if (auto thing = thing_in(said))
         return {{{Kind::thing, std::move(*thing)}, length}};
     }
     if (is_pronoun_word(first))
@@ -137,26 +138,16 @@ private:
     return std::nullopt;
   }
 
-  /// With an article, if there should be one.
-  std::optional<WordList> thing_of(const WordList& said) {
-    // "The zorgish one" is not any.
-    if (said.size() == 1 &&
-        (is_pronoun_word(said.front()) || is_among(said.front(), {"one", "ones"})))
-      return std::nullopt;
-    if (is_thing(said))
-      return said;
-    if (begins_place_phrase(said.front()) && said.front() != "left" && said.front() != "right")
-      return std::nullopt;
-    auto with_article = said;
-    with_article.insert(with_article.begin(), "the");
-    return is_thing(with_article) ? std::optional{std::move(with_article)} : std::nullopt;
+  std::optional<WordList> thing_in(const WordList& said) {
+    const bool may_be_place = begins_place_phrase(said.front()) && said.front() != "left" &&
+                              said.front() != "right" && !is_thing(said);
+    ++parses_;
+    return may_be_place || parses_ > most_gist_parses ? std::nullopt
+                                                      : name_of_things(parser_, said);
   }
 
-  /// Where it is, the grammar adds: "put the ball on the left" has no ball that is there.
   bool is_thing(const WordList& said) {
-    const auto form = parse(said);
-    const auto thing = form ? thing_said(*form) : std::nullopt;
-    return thing && dependent(*thing, *find_nominal(*thing, thing->root), "Location") == nullptr;
+    return ++parses_ <= most_gist_parses && names_things(parser_, said);
   }
 
   /// "Please", "real quick".

@@ -136,7 +136,8 @@ Response Responder::about(const Nominal& asked) {
   if (asks_for_number(asked))
     return count(found, asked, scope);
   // "Which room is this?"
-  const auto* subject = root().sort == "ascription" ? dependent(form_, root(), "Cop-Restr") : nullptr;
+  const auto* subject =
+    root().sort == "ascription" ? dependent(form_, root(), "Cop-Restr") : nullptr;
   for (const auto* shown : {subject, scope})
     if (shown != nullptr && shown != &asked && is_deictic(*shown) && found.certain.size() == 1 &&
         !scene_.is_thing(found.certain.front()))

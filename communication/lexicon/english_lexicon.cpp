@@ -16,6 +16,7 @@ namespace castor::communication {
 std::string_view english_lexicon_text();
 std::string_view actions_text();
 std::string_view paraphrases_text();
+std::string_view examples_text();
 std::string_view tabletop_words_text();
 
 namespace {
@@ -33,6 +34,7 @@ const std::vector<NamedText>& shared_lexicon_files() {
   static const std::vector<NamedText> files{{"english.ccg", std::string{english_lexicon_text()}},
                                             {"actions.ccg", std::string{actions_text()}},
                                             {"paraphrases.words", std::string{paraphrases_text()}},
+                                            {"examples.words", std::string{examples_text()}},
                                             {"tabletop.words", std::string{tabletop_words_text()}}};
   return files;
 }

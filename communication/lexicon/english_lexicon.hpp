@@ -10,7 +10,7 @@
 namespace castor::communication {
 
 /// The lexicon files that are part of the library: english.ccg, actions.ccg,
-/// paraphrases.words, tabletop.words.
+/// paraphrases.words, examples.words, tabletop.words.
 const std::vector<NamedText>& shared_lexicon_files();
 
 /// The English lexicon of robots that talk about a table: all of these files; read once.
@@ -24,6 +24,6 @@ std::shared_ptr<const Lexicon> lexicon_of_files(const std::string& names,
                                                 const std::string& folder);
 
 /// The names of the shared files, as an argument of that.
-inline constexpr const char* shared_lexicon_names = "english.ccg actions.ccg paraphrases.words tabletop.words";
+inline constexpr const char* shared_lexicon_names = "english.ccg actions.ccg paraphrases.words examples.words tabletop.words";
 
 } // namespace castor::communication

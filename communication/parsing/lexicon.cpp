@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/lexicon.hpp"
 
 #include "castor/base/suggestion.hpp"
+#include "castor/communication/parsing/tokens.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -73,6 +74,12 @@ void Lexicon::add_to(WordClass word_class, const std::string& phrase) {
 void Lexicon::add_paraphrase(Paraphrase paraphrase, bool is_always) {
   class_words_.insert(paraphrase.words().begin(), paraphrase.words().end());
   (is_always ? always_paraphrases_ : paraphrases_).push_back(std::move(paraphrase));
+}
+
+void Lexicon::add_example(std::string_view meaning, std::string_view sentence) {
+  examples_.add(meaning, sentence);
+  const auto words = words_of(sentence);
+  class_words_.insert(words.begin(), words.end());
 }
 
 bool Lexicon::is_in(WordClass word_class, const std::string& phrase) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/communication/parsing/category.hpp"
+#include "castor/communication/parsing/examples.hpp"
 #include "castor/communication/parsing/meaning.hpp"
 #include "castor/communication/parsing/paraphrase.hpp"
 #include "castor/communication/parsing/symbols.hpp"
@@ -94,6 +95,10 @@ public:
   /// Later ones are tried after earlier ones.
   /// \param is_always whether it is tried even if an utterance is understood without it
   void add_paraphrase(Paraphrase paraphrase, bool is_always);
+  /// \throws std::invalid_argument what is wrong with them
+  void add_example(std::string_view meaning, std::string_view sentence);
+  /// To be called after the last example is added.
+  void weigh_examples() { examples_.weigh(); }
 
   const LexicalEntry& entry(std::uint32_t number) const { return entries_[number]; }
   std::span<const LexicalEntry> entries() const { return entries_; }
@@ -112,7 +117,9 @@ public:
     return is_always ? always_paraphrases_ : paraphrases_;
   }
 
-  /// Whether the word is in a class or a paraphrase, at least as part of a phrase.
+  const Examples& examples() const { return examples_; }
+
+  /// Whether the word is in a class, a paraphrase or an example, at least as part of a phrase.
   bool is_in_a_class(const std::string& word) const { return class_words_.contains(word); }
 
   /// In words.
@@ -148,6 +155,7 @@ private:
   std::set<std::string> class_words_;
   std::vector<Paraphrase> paraphrases_;
   std::vector<Paraphrase> always_paraphrases_;
+  Examples examples_;
   std::size_t longest_aside_ = 0;
 
   struct Word {

@@ -24,9 +24,9 @@ constexpr std::size_t max_bytes = std::size_t{4} << 20;
 constexpr std::size_t max_variables = 60;
 
 const std::vector<std::string_view> keywords = {
-  "feature", "root",   "raise",   "call",     "filler",      "aside",        "frame",
-  "person",  "name",   "telling", "decisive", "reason",      "comment",      "agreement",
-  "refusal", "family", "words",   "nouns",    "paraphrases", "replacements", "list"};
+  "feature", "root",    "raise",       "call",         "filler",  "aside",     "frame",   "person",
+  "name",    "telling", "decisive",    "reason",       "comment", "agreement", "refusal", "family",
+  "words",   "nouns",   "paraphrases", "replacements", "list",    "examples"};
 
 const std::map<std::string_view, WordClass> word_classes = {
   {"aside", WordClass::aside},         {"frame", WordClass::frame},
@@ -59,12 +59,13 @@ public:
       read_file(file);
     if (problems_.empty() && lexicon_->roots().empty())
       report({1, 1, "nothing says what an utterance may be", "Add a line such as: root s np"});
+    lexicon_->weigh_examples();
     return {problems_.empty() ? lexicon_ : nullptr, std::move(problems_)};
   }
 
 private:
   /// What belongs to a line that is wrong itself is skipped.
-  enum class Block { none, skipped, family, words, nouns, paraphrases, replacements };
+  enum class Block { none, skipped, family, words, nouns, paraphrases, replacements, examples };
 
   void read_file(const NamedText& file) {
     file_name_ = file.name;
@@ -132,6 +133,8 @@ private:
            "Write \"family NAME\" or \"words FAMILY\" before it, or do not indent it.");
     else if (block_ == Block::paraphrases || block_ == Block::replacements)
       read_paraphrase(content, pieces.front());
+    else if (block_ == Block::examples)
+      read_example(content, pieces.front());
     else if (block_ != Block::skipped)
       for (const auto& piece : pieces)
         guarded([&] { read_word(piece); });
@@ -163,6 +166,13 @@ private:
            "See the head of lexicon_reader.hpp for what it takes.");
     if (keyword.text == "family")
       return begin_family(rest);
+    if (keyword.text == "examples") {
+      block_ = Block::examples;
+      example_meaning_.clear();
+      for (const auto& piece : rest)
+        example_meaning_ += piece.text + ' ';
+      return;
+    }
     if (keyword.text == "words" || keyword.text == "nouns")
       return begin_words(rest.front(), keyword.text == "nouns" ? Block::nouns : Block::words);
     block_ = Block::none;
@@ -204,6 +214,15 @@ private:
       lexicon_->add_paraphrase(Paraphrase{line.text, lists_}, block_ == Block::replacements);
     } catch (const std::invalid_argument& error) {
       fail(first, error.what(), "Write it as in: give X a push|shove = push X");
+    }
+  }
+
+  void read_example(const Piece& line, const Piece& first) {
+    try {
+      lexicon_->add_example(example_meaning_, line.text);
+    } catch (const std::invalid_argument& error) {
+      fail(first, error.what(),
+           "Write below \"examples give me X\" sentences such as: i need X over here");
     }
   }
 
@@ -365,6 +384,8 @@ private:
   FeatureDeclarations declarations_;
   std::map<std::string, Family, std::less<>> families_;
   Paraphrase::Lists lists_;
+  /// That the examples which follow have.
+  std::string example_meaning_;
   Family* family_ = nullptr;
   std::optional<Piece> family_line_;
   std::vector<std::string> word_features_;

@@ -34,6 +34,8 @@
 ///       give X a push|shove = push X       # tried for what is not (paraphrase.hpp)
 ///     replacements                  # the same, tried first: what is understood without them is
 ///       kindly keep = please put    # something else
+///     examples put X left of Y      # what utterances that are not understood are compared with
+///       X belongs on Y's left       # (examples.hpp)
 ///
 ///     family Noun                   # what a group of words may be: categories and meanings
 ///       n[?number]<x> : @x:thing(* ^ <Number>?number)

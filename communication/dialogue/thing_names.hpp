@@ -1,0 +1,19 @@
+#pragma once
+
+#include "castor/communication/parsing/parser.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+/// Whether the words name things and do not say where they are: "the red cubes", "everything".
+bool names_things(Parser& parser, const std::vector<std::string>& said);
+
+/// The words as they name things, with an article if one is missing: "the ball" for "ball". Nothing
+/// if they name none, or are a pronoun.
+std::optional<std::vector<std::string>> name_of_things(Parser& parser,
+                                                       const std::vector<std::string>& said);
+
+} // namespace castor::communication

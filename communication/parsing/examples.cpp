@@ -1,0 +1,317 @@
+#include "castor/communication/parsing/examples.hpp"
+
+#include "castor/communication/parsing/stem.hpp"
+#include "castor/communication/parsing/tokens.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace castor::communication {
+
+namespace {
+
+/// Features of what stands for something else.
+constexpr std::string_view things_said = "#things";
+constexpr std::string_view number_said = "#number";
+constexpr std::string_view side_said = "#side";
+constexpr std::string_view other_side_said = "#other-side";
+
+/// Weights of pairs beside words of their own.
+constexpr double neighbours = 0.7;
+constexpr double with_one_between = 0.3;
+
+/// What is left of the likeness for each decisive word, or negation, that only one of both has.
+constexpr double without_decisive_word = 0.85;
+constexpr double without_negation = 0.5;
+
+/// So much of the likeness is that to further sentences of the same meaning.
+constexpr double share_of_others = 0.13;
+constexpr std::size_t others = 3;
+
+bool is_slot(std::string_view word) {
+  return is_among(word, {"x", "y", "z"});
+}
+
+/// "Left" or "right"; empty for what is neither.
+std::string_view side_of(std::string_view word) {
+  for (const auto* side : {"left", "right"})
+    for (const auto* end : {"", "ward", "wards", "hand", "most"})
+      if (word == std::string{side} + end)
+        return side;
+  return {};
+}
+
+bool is_number(std::string_view word) {
+  return std::isdigit(static_cast<unsigned char>(word.front())) != 0 ||
+         is_among(word, {"two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
+                         "fifteen", "twenty"});
+}
+
+/// Says nothing of what is meant.
+bool says_nothing(std::string_view word) {
+  return is_among(word, {",",    "a",     "an",    "the",    "some",   "please", "pls",
+                         "thx",  "ta",    "ok",    "thanks", "cheers", "kindly", "just",
+                         "now",  "then",  "so",    "well",   "really", "hey",    "hi",
+                         "mate", "hello", "sorry", "oh",     "quick",  "quickly"});
+}
+
+/// By their stems.
+bool decides(std::string_view stem) {
+  return is_among(
+    stem, {"front", "back",  "behind", "centr",   "middl",        "edg",   "corner", "colour",
+           "color", "size",  "height", "tall",    "shape",        "n't",   "not",    "never",
+           "no",    "off",   "except", "between", "circl",        "ring",  "row",    "line",
+           "stack", "tower", "togeth", "apart",   "top",          "under", "how",    "what",
+           "which", "where", "whi",    side_said, other_side_said});
+}
+
+/// By their stems: what is said with them is another matter.
+bool changes_meaning(std::string_view stem) {
+  return is_among(stem, {"n't",     "not",       "never",   "no",   "noth",    "nobodi",  "nowher",
+                         "none",    "non",       "neither", "nor",  "without", "except",  "but",
+                         "unless",  "until",     "till",    "if",   "onli",    "instead", "avoid",
+                         "opposit", "revers",    "pretend", "half", "almost",  "near",    "bare",
+                         "hard",    "mean",      "rather",  "when", "than",    "or",      "befor",
+                         "after",   "yesterday", "tomorrow"});
+}
+
+std::vector<std::string> only_in_first(const std::set<std::string>& a,
+                                       const std::set<std::string>& b) {
+  std::vector<std::string> result;
+  std::ranges::set_difference(a, b, std::back_inserter(result));
+  return result;
+}
+
+std::vector<ExamplePiece> pieces_of(std::string_view text) {
+  std::vector<ExamplePiece> result;
+  for (auto& word : words_of(text)) {
+    const bool is_thing = is_slot(word);
+    result.push_back({{std::move(word)}, is_thing});
+  }
+  return result;
+}
+
+std::vector<std::string> slots_of(std::span<const ExamplePiece> pieces) {
+  std::vector<std::string> result;
+  for (const auto& piece : pieces)
+    if (piece.names_things)
+      result.push_back(piece.words.front());
+  return result;
+}
+
+/// Nothing for "right" that says how near something is: "right next to it", "right now".
+std::string_view side_at(std::span<const ExamplePiece> pieces, std::size_t i) {
+  const auto& word = pieces[i].words.front();
+  const bool is_adverb =
+    word == "right" && i + 1 < pieces.size() &&
+    is_among(pieces[i + 1].words.front(),
+             {"at", "by", "in", "next", "beside", "behind", "near", "there", "now", "away",
+              "underneath", "under", "along", "up", "on", "that", "to"}) &&
+    (i == 0 || !is_among(pieces[i - 1].words.front(), {"the", "to", "on", "from", "than"}));
+  return is_adverb ? std::string_view{} : side_of(word);
+}
+
+std::vector<std::vector<std::string>> things_in(std::span<const ExamplePiece> pieces) {
+  std::vector<std::vector<std::string>> result;
+  for (const auto& piece : pieces)
+    if (piece.names_things)
+      result.push_back(piece.words);
+  return result;
+}
+
+/// Whether the same is said where the slots are the same.
+bool have_same_things(const std::vector<std::string>& slots,
+                      const std::vector<std::vector<std::string>>& things) {
+  for (std::size_t i = 0; i < slots.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (slots[i] == slots[j] && things[i] != things[j])
+        return false;
+  return true;
+}
+
+} // namespace
+
+Examples::Said Examples::said_in(std::span<const ExamplePiece> pieces) {
+  Said result;
+  Words features{"<"};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto& word = pieces[i].words.front();
+    if (pieces[i].names_things) {
+      ++result.things;
+      features.emplace_back(things_said);
+    } else if (const auto side = side_at(pieces, i); !side.empty()) {
+      if (result.side.empty())
+        result.side = side;
+      features.emplace_back(side == result.side ? side_said : other_side_said);
+    } else if (is_number(word)) {
+      ++result.numbers;
+      features.emplace_back(number_said);
+    } else if (!says_nothing(word))
+      features.push_back(stem_of(word));
+  }
+  features.emplace_back(">");
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (i > 0 && i + 1 < features.size()) {
+      ++result.counts[features[i]];
+      if (decides(features[i]) || changes_meaning(features[i]))
+        result.decisive.insert(features[i]);
+    }
+    if (i + 1 < features.size())
+      result.counts[features[i] + ' ' + features[i + 1]] += neighbours;
+    if (i + 2 < features.size())
+      result.counts[features[i] + " * " + features[i + 2]] += with_one_between;
+  }
+  // A word that is said twice is not twice as much of what is meant.
+  for (auto& [feature, count] : result.counts)
+    if (feature.find(' ') == std::string::npos)
+      count = std::sqrt(count);
+  return result;
+}
+
+void Examples::add(std::string_view meaning, std::string_view sentence) {
+  const auto means = words_of(meaning);
+  const auto pieces = pieces_of(sentence);
+  auto slots = slots_of(pieces);
+  const auto needed = slots_of(pieces_of(meaning));
+  const auto name_of = [](const std::string& slot) {
+    return std::string(1, static_cast<char>(std::toupper(slot.front())));
+  };
+  for (const auto& slot : needed)
+    if (std::ranges::find(slots, slot) == slots.end())
+      throw std::invalid_argument{"it does not have " + name_of(slot) + " of its meaning"};
+  for (const auto& slot : slots)
+    if (std::ranges::find(needed, slot) == needed.end())
+      throw std::invalid_argument{"its meaning does not have " + name_of(slot)};
+  auto said = said_in(pieces);
+  const bool has_side = !said_in(pieces_of(meaning)).side.empty();
+  if (has_side && said.side.empty())
+    throw std::invalid_argument{"it does not say left or right, as its meaning does"};
+  if (said.counts.size() < 2)
+    throw std::invalid_argument{"it says nothing"};
+  if (meanings_.empty() || meanings_.back() != means)
+    meanings_.push_back(means);
+  for (const auto& piece : pieces)
+    if (!piece.names_things)
+      words_[piece.words.front()].insert(meanings_.size() - 1);
+  examples_.push_back({meanings_.size() - 1, std::move(said), std::move(slots), has_side, 0});
+}
+
+bool Examples::has_common_word(const std::string& word) const {
+  const auto known = words_.find(word);
+  return known != words_.end() && known->second.size() > 2;
+}
+
+void Examples::weigh() {
+  spread_.clear();
+  index_.clear();
+  std::set<std::pair<std::string, std::size_t>> counted;
+  for (const auto& example : examples_)
+    for (const auto& [feature, count] : example.said.counts)
+      if (counted.emplace(feature, example.meaning).second)
+        ++spread_[feature];
+  for (std::size_t i = 0; i < examples_.size(); ++i) {
+    double square = 0;
+    for (const auto& [feature, count] : examples_[i].said.counts)
+      square += std::pow(count * weight_of(feature), 2);
+    examples_[i].length = std::sqrt(square);
+    for (const auto& [feature, count] : examples_[i].said.counts)
+      index_[feature].push_back({i, count * weight_of(feature) / examples_[i].length});
+  }
+}
+
+double Examples::weight_of(const std::string& feature) const {
+  const auto spread = spread_.find(feature);
+  const auto all = static_cast<double>(meanings_.size());
+  if (spread != spread_.end())
+    return std::log1p(all / static_cast<double>(spread->second));
+  // A pair is often not known though its words are.
+  return std::log1p(all) * (feature.find(' ') == std::string::npos ? 1 : 0.5);
+}
+
+std::vector<Examples::Match> Examples::nearest(std::span<const ExamplePiece> pieces,
+                                               std::size_t most) const {
+  const auto said = said_in(pieces);
+  std::vector<double> common(examples_.size());
+  double square = 0;
+  for (const auto& [feature, count] : said.counts) {
+    const auto weight = count * weight_of(feature);
+    square += weight * weight;
+    if (const auto shares = index_.find(feature); shares != index_.end())
+      for (const auto& share : shares->second)
+        common[share.example] += weight * share.weight;
+  }
+  struct Candidate {
+    double likeness = 0;
+    std::size_t example = 0;
+  };
+  const auto things = things_in(pieces);
+  std::map<std::size_t, std::vector<Candidate>> by_meaning;
+  for (std::size_t i = 0; i < examples_.size(); ++i) {
+    const auto& example = examples_[i];
+    if (common[i] <= 0 || example.said.things != said.things ||
+        example.said.numbers != said.numbers || (example.has_side && said.side.empty()) ||
+        !have_same_things(example.slots, things))
+      continue;
+    auto likeness = common[i] / std::sqrt(square);
+    const auto more = only_in_first(said.decisive, example.said.decisive);
+    const auto less = only_in_first(example.said.decisive, said.decisive);
+    if (std::ranges::any_of(more, changes_meaning))
+      continue;
+    const auto negations = std::ranges::count_if(less, changes_meaning);
+    likeness *= std::pow(without_negation, negations) *
+                std::pow(without_decisive_word, static_cast<double>(more.size() + less.size()) -
+                                                  static_cast<double>(negations));
+    by_meaning[example.meaning].push_back({likeness, i});
+  }
+  std::vector<Candidate> best;
+  for (auto& [meaning, candidates] : by_meaning) {
+    const auto count = std::min(candidates.size(), others + 1);
+    std::ranges::partial_sort(candidates,
+                              std::next(candidates.begin(), static_cast<std::ptrdiff_t>(count)),
+                              std::ranges::greater{}, &Candidate::likeness);
+    const auto further =
+      std::accumulate(std::next(candidates.begin()),
+                      std::next(candidates.begin(), static_cast<std::ptrdiff_t>(count)), 0.0,
+                      [](double sum, const Candidate& x) { return sum + x.likeness; });
+    best.push_back({(1 - share_of_others) * candidates.front().likeness +
+                      share_of_others * further / static_cast<double>(others),
+                    candidates.front().example});
+  }
+  std::ranges::stable_sort(best, std::ranges::greater{}, &Candidate::likeness);
+  best.resize(std::min(best.size(), most));
+  std::vector<Match> result;
+  for (const auto& x : best)
+    result.push_back({filled(examples_[x.example], said, pieces), x.likeness});
+  return result;
+}
+
+Examples::Words Examples::filled(const Example& example, const Said& said,
+                                 std::span<const ExamplePiece> pieces) const {
+  const auto things = things_in(pieces);
+  const auto number = std::ranges::find_if(
+    pieces, [](const auto& x) { return !x.names_things && is_number(x.words.front()); });
+  const bool is_mirrored = !said.side.empty() && said.side != example.said.side;
+  Words result;
+  for (const auto& word : meanings_[example.meaning])
+    if (is_slot(word)) {
+      const auto slot = std::ranges::find(example.slots, word) - example.slots.begin();
+      const auto& thing = things[static_cast<std::size_t>(slot)];
+      result.insert(result.end(), thing.begin(), thing.end());
+    } else if (is_mirrored && !side_of(word).empty())
+      result.emplace_back(word == "left" ? "right" : "left");
+    else if (is_number(word) && number != pieces.end())
+      result.push_back(number->words.front());
+    else
+      result.push_back(word);
+  return result;
+}
+
+} // namespace castor::communication
