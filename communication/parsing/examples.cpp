@@ -201,7 +201,7 @@ void Examples::add(std::string_view meaning, std::string_view sentence) {
   for (const auto& piece : pieces)
     if (!piece.names_things)
       words_[piece.words.front()].insert(meanings_.size() - 1);
-  examples_.push_back({meanings_.size() - 1, std::move(said), std::move(slots), has_side, 0});
+  examples_.push_back({meanings_.size() - 1, std::move(said), std::move(slots), has_side});
 }
 
 bool Examples::has_common_word(const std::string& word) const {
@@ -212,18 +212,23 @@ bool Examples::has_common_word(const std::string& word) const {
 void Examples::weigh() {
   spread_.clear();
   index_.clear();
-  std::set<std::pair<std::string, std::size_t>> counted;
+  // The examples of a meaning follow each other.
+  std::unordered_map<std::string_view, std::size_t> last;
   for (const auto& example : examples_)
     for (const auto& [feature, count] : example.said.counts)
-      if (counted.emplace(feature, example.meaning).second)
+      if (const auto [known, is_new] = last.emplace(feature, example.meaning);
+          is_new || std::exchange(known->second, example.meaning) != example.meaning)
         ++spread_[feature];
   for (std::size_t i = 0; i < examples_.size(); ++i) {
+    std::vector<double> weights;
     double square = 0;
+    for (const auto& [feature, count] : examples_[i].said.counts) {
+      weights.push_back(count * weight_of(feature));
+      square += weights.back() * weights.back();
+    }
+    auto weight = weights.begin();
     for (const auto& [feature, count] : examples_[i].said.counts)
-      square += std::pow(count * weight_of(feature), 2);
-    examples_[i].length = std::sqrt(square);
-    for (const auto& [feature, count] : examples_[i].said.counts)
-      index_[feature].push_back({i, count * weight_of(feature) / examples_[i].length});
+      index_[feature].push_back({i, *weight++ / std::sqrt(square)});
   }
 }
 

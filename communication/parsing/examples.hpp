@@ -76,7 +76,6 @@ private:
     Words slots;
     /// Whether its meaning says "left" or "right".
     bool has_side = false;
-    double length = 0;
   };
 
   /// Of an example: how much of its direction is along this feature.

@@ -177,6 +177,29 @@ TEST(PartialRequests, OtherThingsAreNoAsides) {
   EXPECT_FALSE(is_aside_of_request("and don't varnish the cube"));
 }
 
+TEST(PartialRequests, WhatIsMuchLikeExamplesIsDoneAndSaidBack) {
+  const auto reply = reply_to({"Where the red cube is, that's where I'd like the purple ball."});
+  ASSERT_EQ(reply.steps.size(), 1U);
+  EXPECT_EQ(done({"Where the red cube is, that's where I'd like the purple ball."}),
+            "Put PB where RC");
+  EXPECT_THAT(reply.text, HasSubstr("for 'put the purple ball where the red cube is'"));
+  EXPECT_EQ(done({"Stick blue right of red."}), "Put BB right RC");
+  EXPECT_EQ(done({"Stick blue left of red."}), "Put BB left RC");
+}
+
+TEST(PartialRequests, WhatIsLessLikeExamplesIsAskedBack) {
+  const std::string said = "Place blue ball close with green cube.";
+  EXPECT_EQ(text_of_reply({said}),
+            "Do you mean \"put the blue ball right next to the green cube\"?");
+  EXPECT_EQ(done({said, "Yes."}), "Put BB near GC");
+  EXPECT_EQ(done({said, "No."}), "");
+}
+
+TEST(PartialRequests, WhatNamesUnknownThingsIsLikeNoExample) {
+  EXPECT_THAT(text_of_reply({"Place blue ball close with blorp cube."}),
+              Not(HasSubstr("Do you mean")));
+}
+
 TEST(PartialRequests, APlaceThatIsNotUnderstoodIsAskedFor) {
   const std::string said = "Put the red cube up yonder.";
   EXPECT_EQ(text_of_reply({said}), "I understand that I shall put the red cube somewhere, but not "
