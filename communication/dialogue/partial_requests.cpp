@@ -51,6 +51,11 @@ bool begins_question(std::string_view word) {
   return is_among(word, {"what", "which", "who", "where", "how", "why", "when", "tell", "did"});
 }
 
+/// "What did you move?", but not "how about moving it?".
+bool asks_for_deed(std::string_view word) {
+  return is_among(word, {"what", "which", "where", "did", "have"});
+}
+
 bool begins_place(std::string_view word) {
   return is_among(word, {"on",   "onto",  "in",    "into",  "at",      "by",    "to",     "near",
                          "next", "close", "under", "below", "above",   "over",  "beside", "behind",
@@ -153,7 +158,8 @@ private:
     const auto move = move_of(*form, lexicon());
     const bool is_asked =
       move.type == DialogueMoveType::question_w || move.type == DialogueMoveType::question_yn ||
-      (move.type == DialogueMoveType::small_talk && begins_question(result.words.front()));
+      (move.type == DialogueMoveType::small_talk && begins_question(result.words.front())) ||
+      (move.type == DialogueMoveType::action_directive && asks_for_deed(result.words.front()));
     if (is_asked && is_sentence(move)) {
       result.kind = Beside::question;
       return result;

@@ -191,14 +191,17 @@ void QuestionContext::replace_one(LogicalForm& form) const {
                            is_plural(x) && is_about_others(form, x);
     if (vocabulary_->is_general(noun) || is_unique)
       continue;
-    if (!noun.empty() && root->sort == "action")
+    if (noun.empty())
+      if (const auto next = noun_asked_next(form, x); !next.empty()) {
+        x.proposition = next;
+        continue;
+      }
+    const auto& kind = !noun.empty() || is_identified(form, *root, x) ? noun : noun_;
+    if (kind.empty())
+      continue;
+    if (root->sort == "action")
       x.features.push_back({"Called", "one"});
-    if (!noun.empty())
-      x.proposition = noun;
-    else if (const auto next = noun_asked_next(form, x); !next.empty())
-      x.proposition = next;
-    else if (!noun_.empty() && !is_identified(form, *root, x))
-      x.proposition = noun_;
+    x.proposition = kind;
   }
 }
 

@@ -186,11 +186,12 @@ private:
     if (std::isdigit(static_cast<unsigned char>(word.front())) != 0)
       return true;
     if (is_among(word,
-                 {"left",  "right",       "front",       "back",   "middle", "centre", "center",
-                  "edge",  "corner",      "between",     "behind", "beside", "under",  "below",
-                  "above", "top",         "side",        "all",    "both",   "other",  "others",
-                  "each",  "every",       "apart",       "two",    "three",  "four",   "five",
-                  "cm",    "centimetres", "centimeters", "far"}))
+                 {"left",   "right",       "front",       "back",   "middle", "centre", "center",
+                  "edge",   "corner",      "between",     "behind", "beside", "under",  "below",
+                  "above",  "top",         "side",        "all",    "both",   "other",  "others",
+                  "each",   "every",       "apart",       "two",    "three",  "four",   "five",
+                  "cm",     "centimetres", "centimeters", "far",    "row",    "rows",   "line",
+                  "column", "circle",      "ring",        "tower",  "stack",  "pile",   "order"}))
       return true;
     if (says_nothing(word) || is_recipient(word) || word == ",")
       return false;
