@@ -10,6 +10,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 
 namespace castor::communication {
@@ -268,8 +269,37 @@ bool asks_for_more(const LogicalForm& said) {
           asks(dependent(said, *root, "Next")));
 }
 
+namespace {
+
+constexpr std::array<std::string_view, 4> directions{"left", "right", "front", "back"};
+
+/// Opposites follow each other.
+std::string_view opposite_of(std::string_view side) {
+  const auto known = std::ranges::find(directions, side) - directions.begin();
+  return directions[static_cast<std::size_t>(known) ^ 1U];
+}
+
+std::optional<int> number_after(std::string_view text, std::string_view prefix) {
+  if (!text.starts_with(prefix))
+    return std::nullopt;
+  text.remove_prefix(prefix.size());
+  int result = 0;
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
+}
+
+/// In centimetres: how much further something is to go that went as far as the region says.
+std::optional<int> length_change(const Nominal& region, std::string_view more) {
+  if (const auto less = number_after(more, "less-"))
+    return -*less;
+  const auto all = number_after(more, "in-all-");
+  const auto old = number_after(feature(region, "Centimetres"), "");
+  return all && old && *all != *old && *old != 0 ? std::optional{*all - *old} : std::nullopt;
+}
+
+} // namespace
+
 std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, bool has_unit) {
-  constexpr std::array<std::string_view, 4> sides{"left", "right", "front", "back"};
   const auto* root = find_nominal(request, request.root);
   const auto* destination = root == nullptr ? nullptr : dependent(request, *root, "Destination");
   const bool is_number = std::isdigit(static_cast<unsigned char>(more.front())) != 0;
@@ -284,11 +314,15 @@ std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, 
     return is_of_gap ? std::nullopt : std::optional{request};
   auto& region = *find_nominal(request, destination->name);
   if (const auto* landmark = dependent(request, *destination, "Anchor")) {
+    if (const auto all = number_after(more, "in-all-")) {
+      set_degree(region, "more", std::to_string(*all));
+      return request;
+    }
     const bool is_changed = landmark->sort == "thing" && change_gap(region, more);
     return is_changed || !is_of_gap ? std::optional{request} : std::nullopt;
   }
-  auto side = region.proposition.substr(region.proposition.find('-') + 1);
-  const auto known = std::ranges::find(sides, side);
+  std::string side = region.proposition.substr(region.proposition.find('-') + 1);
+  const auto known = std::ranges::find(directions, side);
   // To who speaks, in front.
   if (is_of_gap) {
     if (side != "front" && side != "back" && side != "here")
@@ -297,11 +331,20 @@ std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, 
     set_degree(region, "small");
     return request;
   }
-  if (known == sides.end())
+  if (known == directions.end())
     return request;
+  if (const auto change = length_change(region, more)) {
+    if (*change < 0)
+      side = opposite_of(side);
+    region.proposition = "further-" + side;
+    set_degree(region, "more", std::to_string(std::abs(*change)));
+    return request;
+  }
+  if (number_after(more, "in-all-"))
+    return std::nullopt;
   if (more == "half-back") {
-    // Opposites follow each other; without a length it went as far as "further" or "a bit" says.
-    side = sides[static_cast<std::size_t>(known - sides.begin()) ^ 1U];
+    // Without a length it went as far as "further" or "a bit" says.
+    side = opposite_of(side);
     const auto length = feature(region, "Centimetres");
     int number = feature(region, "Degree") == "small" ? 4 : 8;
     std::from_chars(length.data(), length.data() + length.size(), number);
