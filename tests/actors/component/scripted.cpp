@@ -9,6 +9,16 @@
 
 namespace castor::test {
 
+namespace {
+
+#ifdef __SANITIZE_THREAD__
+constexpr auto longest_run = 120s;
+#else
+constexpr auto longest_run = 30s;
+#endif
+
+} // namespace
+
 class Unmanaged : public UnmanagedScript {};
 class Standalone : public StandaloneScript {};
 
@@ -42,7 +52,7 @@ SystemOptions without_restarts() {
 
 int run(System& system) {
   auto status = -1;
-  if (system.start() && system.wait({30s, {}}) == EndReason::ended_by_component)
+  if (system.start() && system.wait({longest_run, {}}) == EndReason::ended_by_component)
     status = system.ended()->first;
   system.stop();
   return status;

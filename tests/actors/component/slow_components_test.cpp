@@ -65,6 +65,21 @@ struct Story {
   std::map<std::string, Version> versions;
 };
 
+/// Those who wait for it wait no longer than its life, which ends if the writer is stopped, too.
+class SetAtEnd {
+public:
+  explicit SetAtEnd(std::atomic<bool>& flag) : flag_(flag) {}
+  ~SetAtEnd() {
+    flag_ = true;
+    flag_.notify_all();
+  }
+  SetAtEnd(const SetAtEnd&) = delete;
+  SetAtEnd& operator=(const SetAtEnd&) = delete;
+
+private:
+  std::atomic<bool>& flag_;
+};
+
 class SlowComponentsOfASystem : public testing::Test {
 protected:
   static constexpr int overwrites = 10'000;
@@ -120,16 +135,13 @@ protected:
 
 TEST_F(SlowComponentsOfASystem, SeeAConsistentStoryOfWhatTheyMissed) {
   std::atomic<bool> written{false};
-  listen("stuck", [&](auto&) {
-    while (!written)
-      std::this_thread::yield();
-  });
+  listen("stuck", [&](auto&) { written.wait(false); });
   listen("slow", [](auto&) { std::this_thread::sleep_for(20us); });
   listen("distant", [](auto&) { std::this_thread::sleep_for(20us); });
   listen("fast", [](auto&) {});
   script("writer").run = [&](auto& self) {
+    const SetAtEnd end{written};
     write(self);
-    written = true;
   };
   System system{
     architecture(subarchitecture("a") +
@@ -199,16 +211,15 @@ TEST_F(SlowComponentsOfASystem, MayMakeCallsWhileTheirQueueIsFull) {
     self.on_change(changed<Note>(), [&, called = false](const ChangeEvent&) mutable {
       if (std::exchange(called, true))
         return;
-      while (!written)
-        std::this_thread::yield();
+      written.wait(false);
       for (int i = 0; i < 30; ++i)
         EXPECT_EQ((self.template call<Question, Answer>("b", Question{i})).number, 2 * i);
       self.end_system(0, "done");
     });
   };
   script("writer").run = [&](auto& self) {
+    const SetAtEnd end{written};
     write(self);
-    written = true;
   };
   System system{architecture(subarchitecture("a") +
                              "CPP UM caller Unmanaged --queue-limit 16\nCPP UM writer Unmanaged\n" +
@@ -300,17 +311,18 @@ TEST_F(SlowComponentsOfASystem, AreNotTheOnlyOnesWhoMayFallBehind) {
   Story story;
   SystemOptions options;
   options.on_change = [&](const ChangeEvent& e) {
-    while (!written)
-      std::this_thread::yield();
+    written.wait(false);
     if (e.coalesced)
       std::this_thread::sleep_for(50ms);
     story.hear(e);
   };
   script("writer").run = [&](auto& self) {
-    auto address = self.add(Note{});
-    for (int i = 0; i < flood; ++i)
-      self.overwrite(address, Note{i, ""});
-    written = true;
+    {
+      const SetAtEnd end{written};
+      auto address = self.add(Note{});
+      for (int i = 0; i < flood; ++i)
+        self.overwrite(address, Note{i, ""});
+    }
     self.add(self.here("end"), Note{});
     self.end_system(0, "done");
   };
