@@ -446,8 +446,10 @@ Truth Evaluation::shares(const std::string& a, const std::string& b, const std::
     auto y = value_of(b, {"", "quality", quality, {}, {}});
     return x && y ? truth_of(*x == *y) : Truth::unknown;
   }
-  // Of what both are called small, one may be larger.
-  if (*kind == FeatureKind::size)
+  // Of two cubes that are called small, one may be larger. What a cube and a ball of the same size
+  // measure nobody can say.
+  const auto shape = scene_.words(a, FeatureKind::shape);
+  if (*kind == FeatureKind::size && !shape.empty() && shape == scene_.words(b, FeatureKind::shape))
     if (const auto x = scene_.extent(a), y = scene_.extent(b); x && y)
       return truth_of(!is_clearly_more(*x, *y, "size") && !is_clearly_more(*y, *x, "size"));
   auto words = scene_.words(a, *kind);

@@ -34,6 +34,9 @@ constexpr std::size_t shortest_meaning_to_ask = 3;
 /// Meanings that are tried, the nearest first.
 constexpr std::size_t most_meanings = 3;
 
+/// Of an utterance; examples are shorter.
+constexpr std::size_t most_words = 24;
+
 /// In words: what names things.
 constexpr std::size_t longest_name = 6;
 
@@ -60,20 +63,25 @@ bool is_general_name(std::string_view word) {
                          "everything", "stuff"});
 }
 
-class LikelyMeaning {
+} // namespace
+
+class LikelyMeaning::Search {
 public:
-  LikelyMeaning(Parser& parser, const WordList& words)
+  Search(Parser& parser, const WordList& words)
     : parser_(parser), said_(words), words_(without_asides(words, parser.lexicon(), true)) {}
 
   /// \param is_proposed whether the speaker may be asked
   std::optional<PackedLogicalForm> run(bool is_proposed) {
-    if (words_.empty() ||
+    if (words_.empty() || words_.size() > most_words ||
         std::ranges::any_of(words_, [&](const auto& word) { return may_name_other_thing(word); }))
       return std::nullopt;
-    const auto pieces = pieces_of_words();
-    if (!is_proposed && ends_with_other_clause(pieces))
+    if (!pieces_)
+      pieces_ = pieces_of_words();
+    if (!is_proposed && ends_with_other_clause(*pieces_))
       return std::nullopt;
-    const auto found = matches(pieces);
+    if (!matches_)
+      matches_ = matches(*pieces_);
+    const auto& found = *matches_;
     const bool asks = may_begin_question(words_.front());
     for (std::size_t i = 0; i < found.size(); ++i) {
       const auto& meaning = found[i].meaning;
@@ -260,18 +268,23 @@ private:
   const WordList& said_;
   /// Without asides.
   WordList words_;
+  std::optional<Pieces> pieces_;
+  std::optional<std::vector<Examples::Match>> matches_;
   /// Whether a word may be the last one of what names things.
   std::map<std::string, bool> names_;
 };
 
-} // namespace
+LikelyMeaning::LikelyMeaning(Parser& parser, const WordList& words)
+  : search_(std::make_unique<Search>(parser, words)) {}
 
-std::optional<PackedLogicalForm> likely_meaning(Parser& parser, const WordList& words) {
-  return LikelyMeaning{parser, words}.run(false);
+LikelyMeaning::~LikelyMeaning() = default;
+
+std::optional<PackedLogicalForm> LikelyMeaning::likely() {
+  return search_->run(false);
 }
 
-std::optional<PackedLogicalForm> possible_meaning(Parser& parser, const WordList& words) {
-  return LikelyMeaning{parser, words}.run(true);
+std::optional<PackedLogicalForm> LikelyMeaning::possible() {
+  return search_->run(true);
 }
 
 } // namespace castor::communication

@@ -3,21 +3,31 @@
 #include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/types.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace castor::communication {
 
-/// What an utterance means that is not understood but much like the lexicon's examples of one
-/// meaning: "blue ball belongs on the cube's left" is "put the blue ball to the left of the cube".
-/// The form has a correction, so that it is said back what the utterance was taken for.
-std::optional<PackedLogicalForm> likely_meaning(Parser& parser,
-                                                const std::vector<std::string>& words);
+/// What an utterance means that is not understood but like the lexicon's examples of one meaning:
+/// "blue ball belongs on the cube's left" is "put the blue ball to the left of the cube".
+class LikelyMeaning {
+public:
+  LikelyMeaning(Parser& parser, const std::vector<std::string>& words);
+  ~LikelyMeaning();
 
-/// The same for an utterance that is less like them. The form of a request is `partial`: it is only
-/// done if the speaker agrees.
-std::optional<PackedLogicalForm> possible_meaning(Parser& parser,
-                                                  const std::vector<std::string>& words);
+  /// If it is much like them. The form has a correction, so that it is said back what the utterance
+  /// was taken for.
+  std::optional<PackedLogicalForm> likely();
+
+  /// If it is less like them, too. The form of a request is `partial`: it is only done if the
+  /// speaker agrees.
+  std::optional<PackedLogicalForm> possible();
+
+private:
+  class Search;
+  std::unique_ptr<Search> search_;
+};
 
 } // namespace castor::communication

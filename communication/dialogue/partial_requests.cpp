@@ -414,11 +414,12 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
   PartSearch search{parser, words};
   if (auto result = search.run())
     return result;
-  if (auto result = likely_meaning(parser, words))
+  LikelyMeaning meaning{parser, words};
+  if (auto result = meaning.likely())
     return result;
   if (auto result = request_gist(parser, words))
     return result;
-  if (auto result = possible_meaning(parser, words))
+  if (auto result = meaning.possible())
     return result;
   if (auto result = search.without_place())
     return result;

@@ -30,7 +30,7 @@ std::optional<PackedLogicalForm> parsed_otherwise(Parser& parser, const WordList
     return result;
   // "Stick blue on red" does not ask whether a stick is on it.
   if (!paraphrased(words, parser.lexicon(), false))
-    if (auto result = likely_meaning(parser, words))
+    if (auto result = LikelyMeaning{parser, words}.likely())
       return result;
   // "How many balls red" asks how many are red, rather than "how many balls, red or not".
   if (auto result = parsed_with_function_words(parser, words))

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cctype>
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -63,31 +65,45 @@ bool says_nothing(std::string_view word) {
                          "mate", "hello", "sorry", "oh",     "quick",  "quickly"});
 }
 
-/// By their stems.
-bool decides(std::string_view stem) {
-  return is_among(
-    stem, {"front", "back",  "behind", "centr",   "middl",        "edg",   "corner", "colour",
-           "color", "size",  "height", "tall",    "shape",        "n't",   "not",    "never",
-           "no",    "off",   "except", "between", "circl",        "ring",  "row",    "line",
-           "stack", "tower", "togeth", "apart",   "top",          "under", "how",    "what",
-           "which", "where", "whi",    side_said, other_side_said});
+/// Stems of words that make another matter of what is said.
+constexpr std::array changing_words{
+  "n't",  "not",     "never", "no",      "noth",      "nobodi",  "nowher", "none",
+  "non",  "neither", "nor",   "without", "except",    "but",     "unless", "until",
+  "till", "if",      "onli",  "instead", "avoid",     "opposit", "revers", "pretend",
+  "half", "almost",  "near",  "bare",    "hard",      "mean",    "rather", "when",
+  "than", "or",      "befor", "after",   "yesterday", "tomorrow"};
+
+/// Stems of words that make another request or question of it.
+constexpr std::array deciding_words{
+  "front", "back", "behind", "centr", "middl", "edg",    "corner",  "colour",
+  "color", "size", "height", "tall",  "shape", "off",    "between", "circl",
+  "ring",  "row",  "line",   "stack", "tower", "togeth", "apart",   "top",
+  "under", "how",  "what",   "which", "where", "whi",    "#side",   "#other-side"};
+
+using Bits = std::bitset<128>;
+static_assert(changing_words.size() + deciding_words.size() <= Bits{}.size());
+
+/// The bits of the changing words come first.
+std::optional<std::size_t> bit_of(std::string_view stem) {
+  if (const auto changing = std::ranges::find(changing_words, stem);
+      changing != changing_words.end())
+    return static_cast<std::size_t>(changing - changing_words.begin());
+  if (const auto deciding = std::ranges::find(deciding_words, stem);
+      deciding != deciding_words.end())
+    return changing_words.size() + static_cast<std::size_t>(deciding - deciding_words.begin());
+  return std::nullopt;
 }
 
-/// By their stems: what is said with them is another matter.
-bool changes_meaning(std::string_view stem) {
-  return is_among(stem, {"n't",     "not",       "never",   "no",   "noth",    "nobodi",  "nowher",
-                         "none",    "non",       "neither", "nor",  "without", "except",  "but",
-                         "unless",  "until",     "till",    "if",   "onli",    "instead", "avoid",
-                         "opposit", "revers",    "pretend", "half", "almost",  "near",    "bare",
-                         "hard",    "mean",      "rather",  "when", "than",    "or",      "befor",
-                         "after",   "yesterday", "tomorrow"});
-}
-
-std::vector<std::string> only_in_first(const std::set<std::string>& a,
-                                       const std::set<std::string>& b) {
-  std::vector<std::string> result;
-  std::ranges::set_difference(a, b, std::back_inserter(result));
-  return result;
+/// What is left of the likeness to an example; nothing if what is said is another matter.
+double kept(const Bits& said, const Bits& example) {
+  static const auto changing = ~(~Bits{} << changing_words.size());
+  const auto more = said & ~example;
+  if ((more & changing).any())
+    return 0;
+  const auto less = example & ~said;
+  const auto negations = (less & changing).count();
+  return std::pow(without_negation, negations) *
+         std::pow(without_decisive_word, more.count() + less.count() - negations);
 }
 
 std::vector<ExamplePiece> pieces_of(std::string_view text) {
@@ -161,8 +177,8 @@ Examples::Said Examples::said_in(std::span<const ExamplePiece> pieces) {
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (i > 0 && i + 1 < features.size()) {
       ++result.counts[features[i]];
-      if (decides(features[i]) || changes_meaning(features[i]))
-        result.decisive.insert(features[i]);
+      if (const auto bit = bit_of(features[i]))
+        result.decisive.set(*bit);
     }
     if (i + 1 < features.size())
       result.counts[features[i] + ' ' + features[i + 1]] += neighbours;
@@ -266,14 +282,9 @@ std::vector<Examples::Match> Examples::nearest(std::span<const ExamplePiece> pie
         !have_same_things(example.slots, things))
       continue;
     auto likeness = common[i] / std::sqrt(square);
-    const auto more = only_in_first(said.decisive, example.said.decisive);
-    const auto less = only_in_first(example.said.decisive, said.decisive);
-    if (std::ranges::any_of(more, changes_meaning))
+    likeness *= kept(said.decisive, example.said.decisive);
+    if (likeness <= 0)
       continue;
-    const auto negations = std::ranges::count_if(less, changes_meaning);
-    likeness *= std::pow(without_negation, negations) *
-                std::pow(without_decisive_word, static_cast<double>(more.size() + less.size()) -
-                                                  static_cast<double>(negations));
     by_meaning[example.meaning].push_back({likeness, i});
   }
   std::vector<Candidate> best;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -58,11 +59,14 @@ private:
   /// How often something is said, by what is said.
   using Counts = std::map<std::string, double>;
 
+  /// A bit for each of a list of words.
+  using Decisive = std::bitset<128>;
+
   /// What examples and utterances are compared by.
   struct Said {
     Counts counts;
-    /// Words that make another request or question of it: "not", "left".
-    std::set<std::string> decisive;
+    /// Which of the words are said that make another request or question of it: "not", "left".
+    Decisive decisive;
     std::size_t things = 0;
     std::size_t numbers = 0;
     /// The first of "left" and "right"; empty if there is none.
