@@ -2,6 +2,7 @@
 
 #include "castor/actors/component/entry_pointer.hpp"
 #include "castor/mapping/geometry/types.hpp"
+#include "castor/perception/spatial/types.hpp"
 #include "castor/perception/vision/types.hpp"
 #include "castor/planning/manipulation/solid.hpp"
 #include "castor/wm/values/reflect.hpp"
@@ -88,16 +89,28 @@ struct PauseArm {};
 /// Action: go on after PauseArm.
 struct ResumeArm {};
 
-/// A call: could a thing be taken and put where another one is, if that were gone? The reply is of
-/// the same type.
+/// A call: could a thing be taken and put where another one is, perhaps with a stop on the way, if
+/// all others were gone? The reply is of the same type.
 struct ExchangeQuery {
   EntryPointer<vision::SceneObject> what;
   EntryPointer<vision::SceneObject> at;
-  /// In the reply: it is not known while the arm moves or holds something, nor where a third thing
-  /// is in the way, or the thing would have to be held in another way.
+  /// In the reply: it is not known while the arm moves or holds something.
   bool is_known = false;
   /// Why it could not, a clause; empty if it could.
   std::string reason;
+};
+
+/// A call: how could a thing be taken and put at points of the table, if nothing else stood on it?
+/// The reply is of the same type.
+struct LandingQuery {
+  EntryPointer<vision::SceneObject> what;
+  /// In the table's frame, metres.
+  std::vector<spatial::GroundPoint> points;
+  /// Whether places between are looked for, where it cannot be put there directly.
+  bool may_put_between = false;
+  /// In the reply: direct, by_stop or none for each point; empty while the arm moves or holds
+  /// something, or does not see the thing.
+  std::vector<spatial::Reach> reach = {};
 };
 
 enum class ManipulationStatus {
@@ -174,6 +187,7 @@ CASTOR_REFLECT(StopArm)
 CASTOR_REFLECT(PauseArm)
 CASTOR_REFLECT(ResumeArm)
 CASTOR_REFLECT(ExchangeQuery, what, at, is_known, reason)
+CASTOR_REFLECT(LandingQuery, what, points, may_put_between, reach)
 CASTOR_REFLECT_ENUM(ManipulationStatus, idle, looking, planning, moving, grasping, releasing,
                     pushing, paused, confirming, succeeded, failed, cancelled)
 CASTOR_REFLECT(Manipulation, time, status, task, step, what, seen, holds, held, reason, in_way,

@@ -62,6 +62,20 @@ std::optional<ManipulationPlan> StopsBetween::plan_to(const PlaceGoal& goal) {
   return {};
 }
 
+bool StopsBetween::reach(const PlaceGoal& goal) {
+  for (std::size_t i = 0; i < stops_.size(); ++i)
+    if (!stops_[i].before)
+      if (const auto& ways = ways_from(i); ways && planner_.landing_of(*ways, goal))
+        return true;
+  return false;
+}
+
+const ManipulationPlanner::WaysToTake& StopsBetween::ways_from_here() {
+  if (!here_)
+    here_ = planner_.ways_to_take(scene_, thing_, start_);
+  return *here_;
+}
+
 const PlaceGoal& StopsBetween::first_place(const Stop& stop) const {
   return stop.before ? stops_[*stop.before].place : stop.place;
 }
@@ -70,9 +84,9 @@ const std::optional<ManipulationPlanner::WaysToTake>& StopsBetween::ways_from(st
   auto& stop = stops_[index];
   if (std::exchange(stop.is_tried, true))
     return stop.ways;
-  if (!here_)
-    here_ = planner_.ways_to_take(scene_, thing_, start_);
-  if (const auto& ways = stop.before ? ways_from(*stop.before) : here_)
+  if (!stop.before)
+    stop.ways = ways_from_place(ways_from_here(), stop.place);
+  else if (const auto& ways = ways_from(*stop.before))
     stop.ways = ways_from_place(*ways, stop.place);
   return stop.ways;
 }

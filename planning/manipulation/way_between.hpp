@@ -27,6 +27,13 @@ public:
   /// else, where it can be turned so that it can then. Nothing if there is none.
   std::optional<ManipulationPlan> plan_to(const PlaceGoal& goal);
 
+  /// Whether there is such a place, without another turn of the thing; the motions there are not
+  /// planned.
+  bool reach(const PlaceGoal& goal);
+
+  /// The thing's ways where it stands.
+  const ManipulationPlanner::WaysToTake& ways_from_here();
+
 private:
   /// The thing, put down at a place, and the ways to take it there.
   struct Stop {

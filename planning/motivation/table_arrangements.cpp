@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace castor::planning {
@@ -23,6 +22,11 @@ constexpr double clearly_beyond = 0.03;
 constexpr double edge_beside = 0.20;
 constexpr double edge_beyond = 0.13;
 
+/// What is so near to an edge, from its rim, is as near as anything is put there, metres; and how
+/// much farther things may be moved for each metre that they get nearer.
+constexpr double at_edge = 0.02;
+constexpr double edge_share = 10;
+
 /// So far from the middle of the table a row or a column may be that goes through it, metres.
 constexpr double through_middle = 0.03;
 
@@ -33,8 +37,20 @@ bool is_on_side(double x, double y, double radius, std::string_view side) {
   return side.empty() || (side == "left" && x <= -least) || (side == "right" && x >= least) ||
          (side == "front" && y <= -least) || (side == "back" && y >= least) ||
          (side == "centre" && std::min(std::abs(x), std::abs(y)) <= through_middle) ||
+         (side == "towards-left-edge" && x <= 0) || (side == "towards-right-edge" && x >= 0) ||
+         (side == "towards-front-edge" && y <= 0) || (side == "towards-back-edge" && y >= 0) ||
          (side == "left-edge" && x <= -edge_beside) || (side == "right-edge" && x >= edge_beside) ||
          (side == "front-edge" && y <= -edge_beyond) || (side == "back-edge" && y >= edge_beyond);
+}
+
+/// How much rather it would be nearer to the edge where it is to be, as metres that it is moved.
+double off_edge(double x, double y, double radius, std::string_view side) {
+  const bool is_across = side.ends_with("left-edge") || side.ends_with("right-edge");
+  const bool is_along = side.ends_with("front-edge") || side.ends_with("back-edge");
+  const double gap = is_across  ? table_half_width - std::abs(x) - radius
+                     : is_along ? table_half_depth - std::abs(y) - radius
+                                : 0;
+  return edge_share * std::max(0.0, gap - at_edge);
 }
 
 /// What is asked for besides how they stand to each other.
@@ -43,22 +59,28 @@ struct Wanted {
   std::string_view side;
 };
 
+struct Candidate {
+  double effort = 0;
+  std::vector<TablePoint> places;
+};
+
 /// Of one of these arrangements, around the middle with the least effort where there is room for
-/// all.
+/// all, and where the arm can put all; rather without a stop between.
 std::vector<TableSpot> around(const std::vector<Offsets>& arrangements, const Things& things,
                               const Wanted& wanted) {
-  double least = std::numeric_limits<double>::infinity();
-  std::vector<TableSpot> result;
+  std::vector<Candidate> candidates;
   const auto try_around = [&](const TablePoint& middle, const Offsets& offsets) {
     auto places = layouts::places_around(middle, offsets);
     for (std::size_t i = 0; i < things.size(); ++i)
       if (!is_on_side(places[i].x, places[i].y, things[i]->radius, wanted.side))
         return;
-    const TablePlaced placed(std::move(places), things, wanted.room);
-    if (const auto needed = placed.effort(); needed && *needed < least) {
-      least = *needed;
-      result = placed.spots();
-    }
+    const auto needed = TablePlaced(places, things, wanted.room).effort();
+    if (!needed)
+      return;
+    double off = 0;
+    for (std::size_t i = 0; i < things.size(); ++i)
+      off = std::max(off, off_edge(places[i].x, places[i].y, things[i]->radius, wanted.side));
+    candidates.push_back({*needed + off, std::move(places)});
   };
   for (const auto& offsets : arrangements) {
     // One of them stays where it is.
@@ -68,7 +90,14 @@ std::vector<TableSpot> around(const std::vector<Offsets>& arrangements, const Th
       for (double y = -table_half_depth; y <= table_half_depth; y += room_step)
         try_around({x, y}, offsets);
   }
-  return result;
+  std::ranges::stable_sort(candidates, {}, &Candidate::effort);
+  for (const bool may_put_between : {false, true}) {
+    wanted.room.landings().begin(may_put_between);
+    for (const auto& x : candidates)
+      if (const TablePlaced placed(x.places, things, wanted.room); placed.land())
+        return placed.spots();
+  }
+  return {};
 }
 
 } // namespace
@@ -79,7 +108,7 @@ std::vector<TableSpot> arranged(std::string_view arrangement,
   const Wanted wanted{room, side};
   // "In a row along the left edge".
   const bool is_along_side =
-    arrangement == "in-row" && (side == "left-edge" || side == "right-edge");
+    arrangement == "in-row" && (side.ends_with("left-edge") || side.ends_with("right-edge"));
   if (is_along_side || arrangement == "in-column")
     return around(layouts::in_column(things), things, wanted);
   if (arrangement == "in-row")

@@ -16,7 +16,9 @@ namespace castor::planning {
 ///
 /// @param things two at least, of the table
 /// @param side of the table where all of them are to be: left, right, front, back, or the edge
-///     there, such as left-edge, along which a row goes; or centre, for a line through it; or empty
+///     there, such as left-edge, along which a row goes, as near to it as can be; or
+///     towards-left-edge, which need not be clearly there; or centre, for a line through it; or
+///     empty
 /// @returns a spot for each of the things, "spot-of-" and its object; none if there is no room
 std::vector<TableSpot> arranged(std::string_view arrangement,
                                 const std::vector<const TableThing*>& things, const TableRoom& room,

@@ -34,8 +34,9 @@ std::string sentence(std::string words) {
 }
 
 TableGoalMaker::TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table,
-                               TableReach reach, TableExchange exchange)
-  : step_(step), table_(table), room_(table, std::move(reach)), exchange_(std::move(exchange)) {
+                               TableReach reach, TableExchange exchange, TableLanding landing)
+  : step_(step), table_(table), room_(table, std::move(reach), std::move(landing)),
+    exchange_(std::move(exchange)) {
   for (const auto& proxy : step.things)
     if (const auto* x = thing(proxy))
       things_.push_back(x);
@@ -232,10 +233,15 @@ TableGoal TableGoalMaker::swap() {
   const auto& b = *things_.back();
   if (a.is_held || b.is_held)
     return refusal("I cannot swap what I hold.");
-  for (const auto& [x, other] : {std::pair{&a, &b}, {&b, &a}})
-    if (auto problem = beyond_reach(*x, *other))
-      return refusal(std::move(*problem));
-  facts_ = {at_waypoint(a, b.waypoint), at_waypoint(b, a.waypoint)};
+  for (const auto& [x, other] : {std::pair{&a, &b}, {&b, &a}}) {
+    const auto problem = beyond_reach(*x, *other);
+    auto beside = problem ? spot_nearly_at(*x, *other) : std::nullopt;
+    if (problem && !beside)
+      return refusal(*problem);
+    facts_.push_back(at_waypoint(*x, beside ? beside->name : other->waypoint));
+    if (beside)
+      spots_.push_back(*std::move(beside));
+  }
   return goal("swap " + listed(things_), listed(things_) + " have changed places");
 }
 
@@ -310,8 +316,9 @@ void TableGoalMaker::stand_in_strips(const std::vector<Things>& groups) {
 }
 
 TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table,
-                  TableReach reach, TableExchange exchange) {
-  return TableGoalMaker{step, table, std::move(reach), std::move(exchange)}.make();
+                  TableReach reach, TableExchange exchange, TableLanding landing) {
+  return TableGoalMaker{step, table, std::move(reach), std::move(exchange), std::move(landing)}
+    .make();
 }
 
 } // namespace castor::planning

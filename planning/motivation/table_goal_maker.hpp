@@ -21,7 +21,7 @@ public:
 
   /// The step and the table have to outlive it.
   TableGoalMaker(const DirectiveStep& step, std::span<const TableThing> table, TableReach reach,
-                 TableExchange exchange);
+                 TableExchange exchange, TableLanding landing);
 
   TableGoal make();
 
@@ -85,6 +85,7 @@ private:
   std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_on(const Things& landmarks) const;
   std::optional<std::string> beyond_reach(const TableThing& x, const TableThing& other) const;
+  std::optional<TableSpot> spot_nearly_at(const TableThing& x, const TableThing& other) const;
 
   // -- measured places (table_goals_spots.cpp)
   std::optional<std::string> put_at_spot(const DirectivePlace& place, std::string& where);

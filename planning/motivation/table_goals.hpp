@@ -68,8 +68,10 @@ bool is_question(std::string_view action);
 /// The goal of a step, or why there is none. "One of the balls" is any: of several that will do the
 /// first is taken. Where spots are chosen or said, they are where things can be put.
 /// @param exchange may be empty: then places of others are taken as the reach says
+/// @param landing may be empty: then places of arrangements are taken as the reach says
 TableGoal goal_of(const communication::DirectiveStep& step, std::span<const TableThing> table,
-                  TableReach reach = reach_in_box, TableExchange exchange = {});
+                  TableReach reach = reach_in_box, TableExchange exchange = {},
+                  TableLanding landing = {});
 
 /// A failed action in words: "I cannot take the ball: the box is in the way."
 std::string explained(std::string_view action, std::string_view reason);

@@ -114,13 +114,15 @@ TableGoal TableGoalMaker::put_in_each_corner() {
               listed(things_) + are(things_) + " in a corner each now" + but_what_is_kept());
 }
 
-/// Whether the arm can put it there at once, or it is not known at all where it can put it.
+/// Whether the arm can put it there at once, or it is not known at all where it can put it. What it
+/// holds it can put down to take it in another way.
 bool TableGoalMaker::is_corner_reached(const TableThing& x, std::string_view corner) const {
   const auto perhaps = effort_of(spatial::Reach::perhaps);
+  const auto most = effort_of(x.is_held ? spatial::Reach::by_stop : spatial::Reach::direct);
   bool is_known = false;
   for (const auto& at : places_in(x, corner)) {
     const auto there = room_.effort(x, at);
-    if (there && *there <= 0)
+    if (there && *there <= *most)
       return true;
     is_known = is_known || !room_.can_be_put(x, at) || (there && *there < *perhaps);
   }

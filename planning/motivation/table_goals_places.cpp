@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -70,10 +71,16 @@ TableGoal TableGoalMaker::put() {
         return goal;
       // Where no row has room at an edge, it may have room on that side.
       const auto edge = side.find("-edge");
-      if (edge != std::string::npos)
+      const bool is_edge = edge != std::string::npos;
+      if (is_edge)
         goal = arrange(place.relation, side.substr(0, edge));
       if (goal.wish == TableWish::goal)
         return goal;
+      // Where the arm does not get so far.
+      if (room_.landings().most_often_beyond() != nullptr) {
+        auto towards = arrange(place.relation, "towards-" + side + (is_edge ? "" : "-edge"));
+        return towards.wish == TableWish::goal ? towards : goal;
+      }
       // "In a row along the edge": at an edge they are in a row.
       continue;
     }
@@ -98,7 +105,13 @@ TableGoal TableGoalMaker::put() {
 /// @param side of the table, or empty
 TableGoal TableGoalMaker::arrange(const std::string& arrangement, const std::string& side) {
   auto words = std::string{words_for(arrangement_words, arrangement)};
-  if (!side.empty())
+  constexpr std::string_view towards = "towards-";
+  constexpr std::string_view at = "at ";
+  if (side.starts_with(towards)) {
+    auto part = words_for(part_words, side.substr(towards.size()));
+    part.remove_prefix(part.starts_with(at) ? at.size() : 0);
+    words += " as near to " + std::string{part} + " as I reach";
+  } else if (!side.empty())
     words += ' ' + std::string{words_for(part_words, side)};
   if (things_.size() < 2)
     return refusal("That takes two things at least.");
@@ -109,6 +122,10 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement, const std::str
   if (const auto held = std::ranges::find_if(things_, &TableThing::is_held); held != things_.end())
     return refusal("I hold " + (*held)->words + ". Tell me to put it down first.");
   spots_ = arranged(arrangement, things_, room_, side);
+  const auto* beyond = room_.landings().most_often_beyond();
+  if (spots_.empty() && beyond != nullptr)
+    return refusal("I cannot put them " + words + ": I do not reach any such place with " +
+                   beyond->words + ". Tell me another place, or fewer things.");
   if (spots_.empty())
     return refusal("There is no room to put them " + words +
                    ". Take something away first, or tell me fewer things.");
@@ -259,6 +276,25 @@ std::optional<std::string> TableGoalMaker::beyond_reach(const TableThing& x,
   if (why->empty())
     return std::nullopt;
   return "I cannot put " + x.words + " where " + other.words + " is: " + *why + '.';
+}
+
+/// A place beside that of another thing, where the arm says that it can put this one when both have
+/// left.
+std::optional<TableSpot> TableGoalMaker::spot_nearly_at(const TableThing& x,
+                                                        const TableThing& other) const {
+  constexpr int directions = 8;
+  constexpr double narrow_gap = 0.01; // metres
+  std::vector<spatial::GroundPoint> points;
+  for (const double away : {0.015, 0.025})
+    for (int i = 0; i < directions; ++i) {
+      const double angle = 2 * std::numbers::pi * i / directions;
+      const TablePoint at{other.x + away * std::cos(angle), other.y + away * std::sin(angle)};
+      if (room_.effort(x, at) && room_.room_around(at, x, {&other}) >= narrow_gap &&
+          gap_between(x, at, other, place_of(x)) >= narrow_gap)
+        points.push_back({at.x, at.y});
+    }
+  const auto found = room_.landings().first_of(x, points);
+  return found ? std::optional{spot_for(x, {found->x, found->y})} : std::nullopt;
 }
 
 std::optional<std::string> TableGoalMaker::put_on(const Things& landmarks) const {

@@ -147,13 +147,10 @@ private:
   std::vector<std::vector<Best>> best_;
 };
 
-} // namespace
-
-std::vector<TableSpot> grouped(const std::vector<Things>& groups, const TableRoom& room) {
+/// Where there is room; what the arm has said to be beyond its reach counts as such.
+std::optional<TablePlaced> placed_in_groups(const std::vector<Things>& groups, const Things& all,
+                                            const TableRoom& room) {
   std::vector<std::vector<Standing>> standings;
-  Things all;
-  for (const auto& group : groups)
-    all.insert(all.end(), group.begin(), group.end());
   for (const auto& group : groups)
     standings.push_back(all_standings(group, all, room));
   for (const double gap : group_gaps) {
@@ -162,9 +159,29 @@ std::vector<TableSpot> grouped(const std::vector<Things>& groups, const TableRoo
       places.insert(places.end(), x->places.begin(), x->places.end());
     if (places.empty())
       continue;
-    const TablePlaced placed(std::move(places), all, room);
+    TablePlaced placed(std::move(places), all, room);
     if (placed.effort())
-      return placed.spots();
+      return placed;
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::vector<TableSpot> grouped(const std::vector<Things>& groups, const TableRoom& room) {
+  constexpr int most_tries = 40;
+  Things all;
+  for (const auto& group : groups)
+    all.insert(all.end(), group.begin(), group.end());
+  for (const bool may_put_between : {false, true}) {
+    room.landings().begin(may_put_between);
+    for (int i = 0; i < most_tries; ++i) {
+      const auto placed = placed_in_groups(groups, all, room);
+      if (!placed)
+        break;
+      if (placed->land())
+        return placed->spots();
+    }
   }
   return {};
 }

@@ -54,6 +54,19 @@ std::optional<double> TablePlaced::effort() const {
   return have_order(std::move(waits_for)) ? std::optional{result} : std::nullopt;
 }
 
+bool TablePlaced::land() const {
+  auto& landings = room_.landings();
+  const auto all = [&](auto can_be_put) {
+    for (std::size_t i = 0; i < things_.size(); ++i)
+      if (!stays(i) && !can_be_put(*things_[i], spatial::GroundPoint{at_[i].x, at_[i].y}))
+        return false;
+    return true;
+  };
+  // What is known takes no time.
+  return all([&](const auto& thing, const auto& at) { return !landings.is_beyond(thing, at); }) &&
+         all([&](const auto& thing, const auto& at) { return landings.lands(thing, at); });
+}
+
 std::vector<TableSpot> TablePlaced::spots() const {
   std::vector<TableSpot> result;
   for (std::size_t i = 0; i < things_.size(); ++i)

@@ -23,6 +23,9 @@ public:
   /// be put there one after the other.
   std::optional<double> effort() const;
 
+  /// Whether the arm itself says that each that is moved can be put at its place.
+  bool land() const;
+
   std::vector<TableSpot> spots() const;
 
 private:

@@ -23,6 +23,12 @@ using TableReach = std::function<spatial::Reach(const TableThing& thing, double 
 using TableExchange =
   std::function<std::optional<std::string>(const TableThing& thing, const TableThing& other)>;
 
+/// How the arm itself says that a thing can be put at points, by the ways in which it can take it
+/// where it is: direct, by_stop or none for each; empty if that is not known. It takes longer,
+/// above all where places between are to be found.
+using TableLanding = std::function<std::vector<spatial::Reach>(
+  const TableThing& thing, const std::vector<spatial::GroundPoint>& points, bool may_put_between)>;
+
 /// Where no arm has told where it reaches: in a box around the middle of the table, and perhaps
 /// elsewhere on it.
 spatial::Reach reach_in_box(const TableThing& thing, double x, double y);

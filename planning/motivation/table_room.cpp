@@ -10,8 +10,9 @@ TableSpot spot_for(const TableThing& thing, const TablePoint& at) {
   return {"spot-of-" + thing.object, at.x, at.y};
 }
 
-TableRoom::TableRoom(std::span<const TableThing> table, TableReach reach)
-  : table_(table), reach_(std::move(reach)) {
+TableRoom::TableRoom(std::span<const TableThing> table, TableReach reach, TableLanding landing)
+  : table_(table), reach_(std::move(reach)),
+    landings_(std::make_shared<TableLandings>(std::move(landing))) {
   // nop
 }
 
@@ -21,7 +22,7 @@ bool TableRoom::can_be_put(const TableThing& thing, const TablePoint& at) const 
 
 std::optional<double> TableRoom::effort(const TableThing& thing, const TablePoint& at) const {
   if (std::abs(at.x) + thing.radius > table_half_width ||
-      std::abs(at.y) + thing.radius > table_half_depth)
+      std::abs(at.y) + thing.radius > table_half_depth || landings_->is_beyond(thing, {at.x, at.y}))
     return std::nullopt;
   return effort_of(reach_(thing, at.x, at.y));
 }

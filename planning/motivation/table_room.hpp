@@ -1,10 +1,12 @@
 #pragma once
 
+#include "castor/planning/motivation/table_landings.hpp"
 #include "castor/planning/motivation/table_reach.hpp"
 #include "castor/planning/motivation/table_things.hpp"
 
 #include <cmath>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -46,7 +48,9 @@ TableSpot spot_for(const TableThing& thing, const TablePoint& at);
 class TableRoom {
 public:
   /// The things have to outlive it.
-  explicit TableRoom(std::span<const TableThing> table, TableReach reach = reach_in_box);
+  /// @param landing as of TableLandings
+  explicit TableRoom(std::span<const TableThing> table, TableReach reach = reach_in_box,
+                     TableLanding landing = {});
 
   std::span<const TableThing> things() const { return table_; }
 
@@ -57,6 +61,9 @@ public:
   /// be, or would stand over the table's edge.
   std::optional<double> effort(const TableThing& thing, const TablePoint& at) const;
 
+  /// What the arm says of single places.
+  TableLandings& landings() const { return *landings_; }
+
   /// From a thing's rim, if it were there, to the nearest other one on the table, metres; infinite
   /// without one.
   /// @param left_out they are not in its way, nor is what stands on it
@@ -66,6 +73,7 @@ public:
 private:
   std::span<const TableThing> table_;
   TableReach reach_;
+  std::shared_ptr<TableLandings> landings_;
 };
 
 } // namespace castor::planning

@@ -51,6 +51,7 @@ class ArmExecutor final : public ResumesManipulation {
                        [this](auto& x) { return push_aside(x); });
     execute<GoHome>({}, [this](auto&) { return go_home(); });
     on_call<ExchangeQuery>([this](const ExchangeQuery& x) { return exchanged(x); });
+    on_call<LandingQuery>([this](const LandingQuery& x) { return landed(x); });
   }
 
   void run() override {
@@ -105,26 +106,56 @@ class ArmExecutor final : public ResumesManipulation {
     const auto other = std::ranges::find(things, query.at.address.id, &SeenThing::id);
     if (thing == things.end() || other == things.end() || thing == other)
       return query;
-    const auto name = thing->thing.name;
     PlaceGoal goal;
     goal.bottom = other->thing.pose.position;
     goal.bottom.z = 0;
     goal.radius = TablePlace{}.radius;
     goal.support = "the table";
-    goal.text = "the place of " + other->thing.name;
-    things.erase(other);
-    const auto scene = scene_of(things);
-    query.is_known =
-      planner_->landing_of(planner_->ways_to_take(scene, name, joints()), goal).has_value();
-    if (query.is_known)
+    auto& ways = ways_of(*thing, things);
+    query.is_known = true;
+    if (planner_->landing_of(ways.ways_from_here(), goal) || ways.reach(goal))
       return query;
-    // What it can take it may be able to put there from another place.
-    const auto taken = planner_->pick(scene, name, joints());
+    const auto taken = planner_->pick(scene_of({*thing}), thing->thing.name, joints());
     const auto* failure = std::get_if<MotionFailure>(&taken);
-    query.is_known = failure != nullptr && failure->obstacles.empty();
-    if (query.is_known)
-      query.reason = failure->text;
+    query.reason = failure != nullptr
+                     ? failure->text
+                     : "the arm cannot turn its gripper so that it puts it down there";
     return query;
+  }
+
+  LandingQuery landed(LandingQuery query) {
+    query.reach.clear();
+    if (!is_at_rest() || held_ || action_ != nullptr)
+      return query;
+    auto things = look_at_table(placement());
+    placed_.correct(things);
+    const auto thing = std::ranges::find(things, query.what.address.id, &SeenThing::id);
+    if (thing == things.end())
+      return query;
+    auto& ways = ways_of(*thing, things);
+    const auto to_arm = geometry::inverse(placement(), arm_frame);
+    for (const auto& point : query.points) {
+      PlaceGoal goal;
+      goal.bottom = geometry::transform(to_arm, Point3{point.x, point.y, 0});
+      goal.radius = TablePlace{}.radius;
+      goal.support = "the table";
+      const bool is_direct = planner_->landing_of(ways.ways_from_here(), goal).has_value();
+      query.reach.push_back(is_direct                                   ? spatial::Reach::direct
+                            : query.may_put_between && ways.reach(goal) ? spatial::Reach::by_stop
+                                                                        : spatial::Reach::none);
+    }
+    return query;
+  }
+
+  /// As if the thing were alone on the table, but with the places between that are free now.
+  StopsBetween& ways_of(const SeenThing& thing, const std::vector<SeenThing>& things) {
+    const auto& name = thing.thing.name;
+    const auto alone = scene_of({thing});
+    const auto free = free_places(things, thing.thing.solid.size.x, true);
+    if (const auto known = ways_.find(name);
+        known != ways_.end() && !known->second.are_for(alone, name, joints()))
+      ways_.erase(known);
+    return ways_.try_emplace(name, *planner_, alone, name, free, joints()).first->second;
   }
 
   /// An action that concerns the one that runs.

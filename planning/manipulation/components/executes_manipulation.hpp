@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -45,6 +46,7 @@ protected:
     options.motions.time_limit = planning_time_;
     options.motions.algorithm = planning_algorithm(algorithm_.get());
     stops_between_.reset();
+    ways_.clear();
     planner_.emplace(able_, options);
     ReachMapOptions reach;
     reach.width = table_width_;
@@ -67,6 +69,7 @@ protected:
   // -- what it says
 
   void begin(const std::string& task, const EntryPointer<vision::SceneObject>& what) {
+    ways_.clear();
     told_ = {};
     told_.task = task;
     told_.what = what;
@@ -366,6 +369,8 @@ protected:
   std::optional<ManipulationPlanner> planner_;
   /// Of the last thing that could be put somewhere only with a stop between; by the planner.
   std::optional<StopsBetween> stops_between_;
+  /// Of things that were asked about since the last action, by their names.
+  std::map<std::string, StopsBetween> ways_;
   /// Names of the joints that do not move any more.
   std::vector<std::string> still_joints_;
   /// The one that runs, or null.

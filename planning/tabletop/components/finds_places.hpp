@@ -104,6 +104,28 @@ protected:
     };
   }
 
+  /// Where the arm itself can put a thing, as if it were alone on the table.
+  TableLanding landing() {
+    return [this](const TableThing& thing, const std::vector<spatial::GroundPoint>& points,
+                  bool may_put_between) -> std::vector<spatial::Reach> {
+      const auto* known = memory_.thing(thing.object);
+      if (known == nullptr || known->is_held || !known->on.empty())
+        return {};
+      try {
+        manipulation::LandingQuery query;
+        query.what = seen(*known);
+        query.points = points;
+        query.may_put_between = may_put_between;
+        return call<manipulation::LandingQuery, manipulation::LandingQuery>(manipulation(), query,
+                                                                            {.timeout = patience()})
+          .reach;
+      } catch (const WorkingMemoryException& e) {
+        debug("{}", e.what());
+        return {};
+      }
+    };
+  }
+
   /// Whether it is where it was to be, as far as that can be seen.
   bool is_there(const std::string& id, const std::vector<spatial::WantedPlace>& places_wanted) {
     std::vector<std::string> parts;

@@ -64,7 +64,7 @@ class TableExecutor final : public FindsPlaces {
       if (place.landmarks.empty() && is_seen_part(place.relation))
         parts.insert(place.relation);
     const auto things = memory_.things(places({parts.begin(), parts.end()}));
-    auto goal = goal_of(step, things, reach_of(things), exchange());
+    auto goal = goal_of(step, things, reach_of(things), exchange(), landing());
     if (request.begins && (goal.wish == TableWish::keep || goal.wish == TableWish::keep_clear ||
                            goal.wish == TableWish::allow)) {
       memory_.keep(goal);

@@ -1,4 +1,5 @@
 #include "castor/planning/motivation/table_arrangements.hpp"
+#include "castor/planning/motivation/table_groups.hpp"
 
 #include <gtest/gtest.h>
 
@@ -245,6 +246,81 @@ TEST(TableArrangements, NothingIsPutWhereAnotherThingStands) {
     }
   }
   EXPECT_GT(found, 300U);
+}
+
+/// The map says that things can be put anywhere, but the arm knows better.
+TEST(TableArrangements, AreShiftedToWhereTheArmSaysThatItCanPutThings) {
+  const std::vector table{thing_at("a", -0.15, 0.1), thing_at("b", 0, 0.08),
+                          thing_at("c", 0.15, 0.1)};
+  const auto things = first(table, 3);
+  std::size_t asked = 0;
+  const auto below = [&](double most) -> TableLanding {
+    return [&asked, most](const TableThing&, const auto& points, bool) {
+      ++asked;
+      return std::vector{points.front().y > most ? spatial::Reach::none : spatial::Reach::direct};
+    };
+  };
+  const auto row = arranged("in-row", things, TableRoom{table, reach_in_box, below(0)});
+  ASSERT_EQ(row.size(), 3U);
+  EXPECT_LE(row[1].y, 0.0);
+  EXPECT_DOUBLE_EQ(row[0].y, row[1].y);
+  EXPECT_LT(asked, 120U);
+  // Sorted groups are, too.
+  const auto groups =
+    grouped({{&table[0]}, {&table[1], &table[2]}}, TableRoom{table, reach_in_box, below(0.09)});
+  ASSERT_EQ(groups.size(), 3U);
+  const std::vector<const TableThing*> in_order{&table[0], &table[1], &table[2]};
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    EXPECT_TRUE(gap(groups[i], {"", in_order[i]->x, in_order[i]->y}) < stands_right ||
+                groups[i].y <= 0.09);
+}
+
+TEST(TableArrangements, StopOnTheWayOnlyWhereThereIsNoOtherWay) {
+  const std::vector table{thing_at("a", -0.15, 0.1), thing_at("b", 0, 0.05),
+                          thing_at("c", 0.15, 0.1)};
+  const auto by_stop = [](double least) -> TableLanding {
+    return [least](const TableThing&, const auto& points, bool may_put_between) {
+      return std::vector{points.front().y < least ? spatial::Reach::direct
+                         : may_put_between        ? spatial::Reach::by_stop
+                                                  : spatial::Reach::none};
+    };
+  };
+  const auto row = arranged("in-row", first(table, 3), TableRoom{table, reach_in_box, by_stop(0)});
+  ASSERT_EQ(row.size(), 3U);
+  EXPECT_LT(row[0].y, 0);
+  EXPECT_EQ(arranged("in-row", first(table, 3), TableRoom{table, reach_in_box, by_stop(-1)}).size(),
+            3U);
+}
+
+TEST(TableArrangements, WhatTheArmSaysCannotBePutAnywhereIsKnown) {
+  const std::vector table{thing_at("a", -0.15, 0.1), thing_at("b", 0, 0.05),
+                          thing_at("c", 0.15, 0.1)};
+  const TableRoom room{table, reach_in_box, [](const TableThing& x, const auto&, bool) {
+                         return std::vector{x.object == "c" ? spatial::Reach::none
+                                                            : spatial::Reach::direct};
+                       }};
+  EXPECT_TRUE(arranged("in-row", first(table, 3), room, "front").empty());
+  ASSERT_NE(room.landings().most_often_beyond(), nullptr);
+  EXPECT_EQ(room.landings().most_often_beyond()->object, "c");
+}
+
+/// As near as single things are.
+TEST(TableArrangements, ARowAtAnEdgeIsAsNearToItAsItIsReached) {
+  const std::vector table{thing_at("a", -0.15, 0.1), thing_at("b", 0, -0.05)};
+  const auto everywhere = [](const TableThing&, double, double) { return spatial::Reach::direct; };
+  const auto rim = [&](double least) {
+    const auto reach = [least](const TableThing&, double, double y) {
+      return y >= least ? spatial::Reach::direct : spatial::Reach::none;
+    };
+    const auto row = arranged("in-row", first(table, 2), TableRoom{table, reach}, "front-edge");
+    return row.size() < 2 ? 1.0 : table_half_depth + row[0].y - table[0].radius;
+  };
+  EXPECT_LT(rim(-1), 0.031);
+  EXPECT_NEAR(rim(-0.185), table_half_depth - 0.185 - table[0].radius, 0.011);
+  const auto column =
+    arranged("in-row", first(table, 2), TableRoom{table, everywhere}, "left-edge");
+  ASSERT_EQ(column.size(), 2U);
+  EXPECT_LT(table_half_width + column[0].x - table[0].radius, 0.031);
 }
 
 } // namespace castor::planning

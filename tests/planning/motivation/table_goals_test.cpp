@@ -1,5 +1,6 @@
 #include "castor/planning/motivation/table_goals.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -12,6 +13,7 @@ namespace castor::planning {
 namespace {
 
 using communication::DirectiveStep;
+using testing::HasSubstr;
 
 const std::vector<TableThing> table{
   {"p/a", "a", "at-a", "the red ball", -0.2, {{"colour", "red"}, {"shape", "sphere"}}, {"left"}},
@@ -101,6 +103,42 @@ TEST(TableGoals, WhatIsSwappedHasToFitWhereTheOtherIs) {
             "there.");
   EXPECT_EQ(goal_of({"Swap", {"p/a", "p/c"}, 0, {}, {}}, table, reach_in_box, not_there).wish,
             TableWish::goal);
+}
+
+TEST(TableGoals, WhatDoesNotFitWhereTheOtherIsFitsBesideOrNothingIsMoved) {
+  const auto not_there = [](const TableThing& x, const TableThing&) -> std::optional<std::string> {
+    return x.object == "b" ? "the gripper is too wide for it there" : "";
+  };
+  const DirectiveStep swap{"Swap", {"p/a", "p/b"}, 0, {}, {}};
+  const auto landing = [](double farthest) -> TableLanding {
+    return [farthest](const TableThing&, const auto& points, bool) {
+      std::vector<spatial::Reach> result;
+      for (const auto& x : points)
+        result.push_back(x.y < farthest ? spatial::Reach::direct : spatial::Reach::none);
+      return result;
+    };
+  };
+  const auto goal = goal_of(swap, table, reach_in_box, not_there, landing(table[0].y - 0.01));
+  EXPECT_EQ(goal.formula, "(and (= (pos a) at-b) (= (pos b) spot-of-b))") << goal.words;
+  ASSERT_EQ(goal.spots.size(), 1U);
+  EXPECT_LT(std::hypot(goal.spots[0].x - table[0].x, goal.spots[0].y - table[0].y), 0.026);
+  EXPECT_EQ(goal_of(swap, table, reach_in_box, not_there, landing(-1)).words,
+            "I cannot put the blue ball where the red ball is: the gripper is too wide for it "
+            "there.");
+}
+
+TEST(TableGoals, ARowThatTheArmCannotPutIsRefusedWithTheReason) {
+  const TableLanding landing = [](const TableThing& x, const auto&, bool) {
+    return std::vector{x.object == "b" ? spatial::Reach::none : spatial::Reach::direct};
+  };
+  // None stands where it is to be.
+  auto at_back = table;
+  for (auto& x : at_back)
+    x.y = 0.1;
+  const DirectiveStep row{"Put", {"p/b", "p/a"}, 0, {{"in-row", {}}, {"front", {}}}, {}};
+  const auto goal = goal_of(row, at_back, reach_in_box, {}, landing);
+  EXPECT_EQ(goal.wish, TableWish::refusal);
+  EXPECT_THAT(goal.words, HasSubstr("I do not reach any such place with the blue ball"));
 }
 
 TEST(TableGoals, SortingPutsThingsOfAValueTogether) {
