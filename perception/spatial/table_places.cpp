@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace castor::spatial {
@@ -21,8 +22,8 @@ constexpr double height_inaccuracy = 0.015;
 constexpr double less_likely = 4;
 /// So many places beside likely ones come before unlikely ones.
 constexpr std::size_t most_beside = 4;
-/// So much worse places at hand are that take a stop on the way.
-constexpr double stop_at_hand = 0.1;
+/// So much worse places at hand, or as near to a corner as can be, are that take a stop on the way.
+constexpr double stop_worth_it = 0.1;
 
 /// From one to the other, both included, no further apart than the step; none if there is no room.
 std::vector<double> positions_between(double from, double to, double step) {
@@ -36,8 +37,15 @@ std::vector<double> positions_between(double from, double to, double step) {
   return result;
 }
 
-bool is_at_hand(std::span<const PlaceWanted> places) {
-  return std::ranges::any_of(places, [](const auto& x) { return x.relation == "at-hand"; });
+/// At hand, in a corner, or in a quarter of the table, where what is nearer to the corner is
+/// better.
+bool are_worth_stop(std::span<const PlaceWanted> places) {
+  return std::ranges::any_of(places, [](const PlaceWanted& x) {
+    const std::string_view part = x.relation;
+    return x.landmarks.empty() && (part == "at-hand" || part.ends_with("corner") ||
+                                   ((part.starts_with("front-") || part.starts_with("back-")) &&
+                                    (part.ends_with("-left") || part.ends_with("-right"))));
+  });
 }
 
 std::optional<SpatialRelation> direction(const std::string& word) {
@@ -243,6 +251,9 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
   bool is_reached = false;
   bool is_free_somewhere = false;
   const auto& area = options_.area;
+  // What is held is nowhere.
+  const bool is_on_table = x.centre.x >= area.low.x && x.centre.x <= area.high.x &&
+                           x.centre.y >= area.low.y && x.centre.y <= area.high.y;
   const auto columns =
     positions_between(area.low.x + x.radius, area.high.x - x.radius, options_.step);
   const auto rows = positions_between(area.low.y + x.radius, area.high.y - x.radius, options_.step);
@@ -262,10 +273,11 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
         continue;
       const int unlikely = static_cast<int>(reach) + (gap < options_.clearance ? 1 : 0);
       // Who gets a thing has it at hand, though it takes the arm longer.
-      const bool is_worth_stop = unlikely == 1 && reach == Reach::by_stop && is_at_hand(places);
-      const double less = is_worth_stop ? stop_at_hand : unlikely * less_likely;
+      const bool is_worth_stop = unlikely == 1 && reach == Reach::by_stop && are_worth_stop(places);
+      const double less = is_worth_stop ? stop_worth_it : unlikely * less_likely;
       // Of equally good ones, the nearest to where it is.
-      const double far = 0.2 * distance(centre, x.centre) + off_side(places, x.centre, centre) +
+      const auto from = is_on_table ? x.centre : centre;
+      const double far = 0.2 * distance(centre, from) + off_side(places, from, centre) +
                          far_off(places, object, centre);
       const double narrow = 0.3 * std::max(0.0, 1 - gap / options_.ample_clearance);
       const double border = fits_around(places, object, centre) ? 0 : 1;

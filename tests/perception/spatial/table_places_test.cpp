@@ -322,4 +322,37 @@ TEST(TablePlaces, RandomTables) {
   EXPECT_GT(found_targets, 700U);
 }
 
+/// What is near to a corner only with a stop on the way is put there all the same, and what is held
+/// is put where it would be from the table.
+TEST(TablePlaces, AsNearToACornerAsIsReached) {
+  PlacingOptions options;
+  options.reach = [](const GroundPoint& at) {
+    return std::hypot(at.x, at.y) > 0.27   ? Reach::none
+           : std::hypot(at.x, at.y) > 0.12 ? Reach::by_stop
+                                           : Reach::direct;
+  };
+  const std::vector<TableObject> objects{{{0, 0}, 0.03, true}, {{100, 100}, 0.03, true}};
+  const TablePlaces table{objects, seat, options};
+  for (const std::size_t object : {0, 1})
+    for (const double side : {-1.0, 1.0}) {
+      const auto at = place_of(table, object, {side < 0 ? "back-left" : "back-right", {}});
+      EXPECT_GT(std::hypot(at.x, at.y), 0.2);
+      EXPECT_GT(side * at.x, 0.1);
+    }
+  // Elsewhere there is no reason for a stop.
+  const auto back = place_of(table, 0, {"back", {}});
+  EXPECT_LE(std::hypot(back.x, back.y), 0.12);
+}
+
+/// It does not matter where nothing is.
+TEST(TablePlaces, WhatIsHeldIsNotNearerToOneSide) {
+  const std::vector<TableObject> held{{{100, 100}, 0.03, true}};
+  const std::vector<TableObject> other{{{-100, -100}, 0.03, true}};
+  for (const auto* part : {"left", "front", "table"}) {
+    const auto a = place_of(TablePlaces{held, seat}, 0, {part, {}});
+    const auto b = place_of(TablePlaces{other, seat}, 0, {part, {}});
+    EXPECT_EQ(a, b) << part;
+  }
+}
+
 } // namespace castor::spatial
