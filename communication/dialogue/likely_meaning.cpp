@@ -28,6 +28,9 @@ constexpr double least_to_do = 0.8;
 constexpr double least_to_answer = 0.65;
 constexpr double least_to_ask = 0.38;
 
+/// How like the examples it has to be to be done or answered, if no other meaning is near.
+constexpr double least_likeness = 0.5;
+
 /// In words: "further" and the like are found in much that means something else.
 constexpr std::size_t shortest_meaning_to_ask = 3;
 
@@ -55,6 +58,11 @@ WordList without_articles(WordList words) {
 
 bool joins_names(const ExamplePiece& piece) {
   return !piece.names_things && is_among(piece.words.front(), {",", "and", "then"});
+}
+
+/// Each an article and one word at most.
+bool are_short(const ExamplePiece& a, const ExamplePiece& b) {
+  return a.words.size() <= 2 && b.words.size() <= 2;
 }
 
 /// What any thing may be called.
@@ -86,7 +94,10 @@ public:
     for (std::size_t i = 0; i < found.size(); ++i) {
       const auto& meaning = found[i].meaning;
       const auto next = i + 1 < found.size() ? found[i + 1].likeness : 0;
-      const auto certainty = 2 * found[i].likeness - next;
+      // What is little like anything is never done.
+      const auto certainty = found[i].likeness < least_likeness
+                               ? std::min(2 * found[i].likeness - next, least_to_answer - 0.01)
+                               : 2 * found[i].likeness - next;
       const bool is_question = may_begin_question(meaning.front());
       if (certainty < (is_proposed ? least_to_ask : least_to_do))
         break;
@@ -235,8 +246,10 @@ private:
       auto next = i;
       while (next < pieces.size() && joins_names(pieces[next]))
         ++next;
+      // "Purple red yellow" are several, a "cube square" is one that stands square.
+      const bool is_joined = next > i || (i > 0 && are_short(pieces[i - 1], pieces[i]));
       const bool goes_on = !result.empty() && result.back().names_things && next < pieces.size() &&
-                           pieces[next].names_things;
+                           pieces[next].names_things && is_joined;
       if (!goes_on) {
         result.push_back(pieces[i]);
         continue;
