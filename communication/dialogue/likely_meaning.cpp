@@ -105,7 +105,10 @@ public:
       if (!form || (asks && !is_question && certainty < least_to_do))
         continue;
       const bool is_handled = handles(*form);
-      if (certainty < (is_question ? least_to_answer : least_to_do)) {
+      const auto least = is_question                        ? least_to_answer
+                         : is_prohibition(*form, lexicon()) ? least_to_ask
+                                                            : least_to_do;
+      if (certainty < least) {
         if (is_question || !is_handled || meaning.size() < shortest_meaning_to_ask)
           continue;
         form->partial = PartialRequest{{}, written(meaning), false};

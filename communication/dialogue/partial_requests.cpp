@@ -228,8 +228,12 @@ private:
       all.insert(all.end(), part.words.begin(), part.words.end());
     }
     auto result = parse(all);
-    if (result)
-      result->partial = PartialRequest{rest_of(parts), written(all), false};
+    const auto rest = rest_of(parts);
+    if (result && is_prohibition(*result, lexicon())) {
+      if (!rest.empty())
+        result->corrections.push_back({rest, {}});
+    } else if (result)
+      result->partial = PartialRequest{rest, written(all), false};
     return result;
   }
 

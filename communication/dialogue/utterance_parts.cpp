@@ -36,6 +36,13 @@ DialogueMove move_of(const PackedLogicalForm& form, const Lexicon& lexicon) {
   return result;
 }
 
+bool is_prohibition(const PackedLogicalForm& form, const Lexicon& lexicon) {
+  const auto move = move_of(form, lexicon);
+  const auto* root = find_nominal(move.content, move.content.root);
+  return move.type == DialogueMoveType::action_directive && root != nullptr &&
+         root->sort == "action" && (is_negated(*root) || root->proposition == "forbid");
+}
+
 std::optional<LogicalForm> thing_said(const PackedLogicalForm& form) {
   auto said = unpack(form, form.readings.front().id).front();
   const auto& root = *find_nominal(said, said.root);

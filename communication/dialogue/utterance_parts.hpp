@@ -19,6 +19,9 @@ std::string written(const std::vector<std::string>& words);
 
 DialogueMove move_of(const PackedLogicalForm& form, const Lexicon& lexicon);
 
+/// Whether it asks not to do something, which harms nobody if it is misunderstood.
+bool is_prohibition(const PackedLogicalForm& form, const Lexicon& lexicon);
+
 /// What is said of a thing, and by no pronoun: "the red ball"; nothing if something else is said.
 std::optional<LogicalForm> thing_said(const PackedLogicalForm& form);
 

@@ -13,11 +13,11 @@ namespace castor::planning {
 /// It is asked for some places only: a place beside one that is beyond its reach counts as such.
 class TableLandings {
 public:
-  /// @param ask may be empty: then things can be put anywhere
+  /// \param ask may be empty: then things can be put anywhere
   explicit TableLandings(TableLanding ask = {}) : ask_(std::move(ask)) {}
 
   /// Begins to ask for places of another arrangement.
-  /// @param may_put_between whether things may be put down on their way there; as that takes longer
+  /// \param may_put_between whether things may be put down on their way there; as that takes longer
   /// to find out, fewer places are asked for
   void begin(bool may_put_between);
 

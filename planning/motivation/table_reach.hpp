@@ -33,7 +33,7 @@ using TableLanding = std::function<std::vector<spatial::Reach>(
 /// elsewhere on it.
 spatial::Reach reach_in_box(const TableThing& thing, double x, double y);
 
-/// As spatial has told it. @param objects the planner's names of the things that it was told for,
+/// As spatial has told it. \param objects the planner's names of the things that it was told for,
 /// in that order; others may be put anywhere in the box
 TableReach reach_told(spatial::ReachQuery told, std::vector<std::string> objects);
 

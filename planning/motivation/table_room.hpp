@@ -48,7 +48,7 @@ TableSpot spot_for(const TableThing& thing, const TablePoint& at);
 class TableRoom {
 public:
   /// The things have to outlive it.
-  /// @param landing as of TableLandings
+  /// \param landing as of TableLandings
   explicit TableRoom(std::span<const TableThing> table, TableReach reach = reach_in_box,
                      TableLanding landing = {});
 
@@ -66,7 +66,7 @@ public:
 
   /// From a thing's rim, if it were there, to the nearest other one on the table, metres; infinite
   /// without one.
-  /// @param left_out they are not in its way, nor is what stands on it
+  /// \param left_out they are not in its way, nor is what stands on it
   double room_around(const TablePoint& at, const TableThing& thing,
                      std::initializer_list<const TableThing*> left_out = {}) const;
 

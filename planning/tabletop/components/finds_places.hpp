@@ -28,7 +28,7 @@ protected:
     bool takes_stop = false;
   };
 
-  /// @param reason becomes that why there are none
+  /// \param reason becomes that why there are none
   std::vector<Target> targets_of(const TableMemory::Thing& thing, const std::string& waypoint,
                                  std::string& reason) {
     const auto wanted = memory_.chosen(waypoint);
