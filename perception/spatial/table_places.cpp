@@ -38,11 +38,11 @@ std::vector<double> positions_between(double from, double to, double step) {
 }
 
 /// At hand, in a corner, or in a quarter of the table, where what is nearer to the corner is
-/// better.
-bool are_worth_stop(std::span<const PlaceWanted> places) {
-  return std::ranges::any_of(places, [](const PlaceWanted& x) {
+/// better. What is held is rather given where it can be put at once.
+bool are_worth_stop(std::span<const PlaceWanted> places, bool is_held) {
+  return std::ranges::any_of(places, [&](const PlaceWanted& x) {
     const std::string_view part = x.relation;
-    return x.landmarks.empty() && (part == "at-hand" || part.ends_with("corner") ||
+    return x.landmarks.empty() && ((part == "at-hand" && !is_held) || part.ends_with("corner") ||
                                    ((part.starts_with("front-") || part.starts_with("back-")) &&
                                     (part.ends_with("-left") || part.ends_with("-right"))));
   });
@@ -274,7 +274,8 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
         continue;
       const int unlikely = static_cast<int>(reach) + (gap < options_.clearance ? 1 : 0);
       // Who gets a thing has it at hand, though it takes the arm longer.
-      const bool is_worth_stop = unlikely == 1 && reach == Reach::by_stop && are_worth_stop(places);
+      const bool is_worth_stop =
+        unlikely == 1 && reach == Reach::by_stop && are_worth_stop(places, !is_on_table);
       const double less = is_worth_stop ? stop_worth_it : unlikely * less_likely;
       // Of equally good ones, the nearest to where it is.
       const auto from = is_on_table ? x.centre : middle;
