@@ -7,7 +7,9 @@
 #include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/pauses.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -28,8 +30,11 @@ std::optional<PackedLogicalForm> parsed_otherwise(Parser& parser, const WordList
     return result;
   if (auto result = parsed_request_alone(parser, words))
     return result;
-  // "Stick blue on red" does not ask whether a stick is on it.
-  if (!paraphrased(words, parser.lexicon(), false))
+  // "Stick blue on red" does not ask whether a stick is on it; "the cube is it on the ball" asks.
+  const bool says_what_is_so = std::ranges::any_of(words, [](const auto& word) {
+    return is_among(word, {"is", "are", "was", "were", "does", "do", "did", "has", "have"});
+  });
+  if (!says_what_is_so && !paraphrased(words, parser.lexicon(), false))
     if (auto result = LikelyMeaning{parser, words}.likely())
       return result;
   // "How many balls red" asks how many are red, rather than "how many balls, red or not".

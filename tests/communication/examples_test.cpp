@@ -205,32 +205,34 @@ TEST(LexiconExamples, MeanWhatTheGrammarUnderstands) {
     }
 }
 
-/// Each tenth of the sentences is compared with the others.
+/// Every tenth sentence is compared with the others.
 TEST(LexiconExamples, MostlyMeanTheSameAsTheNearestOthers) {
-  constexpr std::size_t parts = 10;
   const auto all = sentences_of_lexicon();
-  std::size_t right = 0;
+  const auto is_asked = [](std::size_t i) { return i % 10 == 0; };
+  Examples others;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!is_asked(i))
+      others.add(all[i].first, all[i].second);
+  others.weigh();
+  std::size_t asked = 0;
   std::size_t found = 0;
-  for (std::size_t part = 0; part < parts; ++part) {
-    Examples others;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (i % parts != part)
-        others.add(all[i].first, all[i].second);
-    others.weigh();
-    for (auto i = part; i < all.size(); i += parts) {
-      std::vector<ExamplePiece> said;
-      for (auto& word : words_of(all[i].second)) {
-        const bool is_slot = word == "x" || word == "y" || word == "z";
-        said.push_back({{std::move(word)}, is_slot});
-      }
-      const auto nearest = others.nearest(said, 1);
-      found += nearest.empty() ? 0 : 1;
-      right += !nearest.empty() && nearest.front().meaning == words_of(all[i].first) ? 1 : 0;
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!is_asked(i))
+      continue;
+    std::vector<ExamplePiece> said;
+    for (auto& word : words_of(all[i].second)) {
+      const bool is_slot = word == "x" || word == "y" || word == "z";
+      said.push_back({{std::move(word)}, is_slot});
     }
+    const auto nearest = others.nearest(said, 1);
+    ++asked;
+    found += nearest.empty() ? 0 : 1;
+    right += !nearest.empty() && nearest.front().meaning == words_of(all[i].first) ? 1 : 0;
   }
   fmt::print("of {} sentences {} have the meaning of the nearest others, {} another, {} none\n",
-             all.size(), right, found - right, all.size() - found);
-  EXPECT_GT(right, all.size() * 6 / 10);
+             asked, right, found - right, asked - found);
+  EXPECT_GT(right, asked * 6 / 10);
 }
 
 } // namespace
