@@ -448,10 +448,13 @@ Truth Evaluation::shares(const std::string& a, const std::string& b, const std::
   }
   // Of two cubes that are called small, one may be larger. What a cube and a ball of the same size
   // measure nobody can say.
-  const auto shape = scene_.words(a, FeatureKind::shape);
-  if (*kind == FeatureKind::size && !shape.empty() && shape == scene_.words(b, FeatureKind::shape))
-    if (const auto x = scene_.extent(a), y = scene_.extent(b); x && y)
+  if (*kind == FeatureKind::size) {
+    const auto shape = scene_.words(a, FeatureKind::shape);
+    const auto x = scene_.extent(a);
+    const auto y = scene_.extent(b);
+    if (x && y && !shape.empty() && shape == scene_.words(b, FeatureKind::shape))
       return truth_of(!is_clearly_more(*x, *y, "size") && !is_clearly_more(*y, *x, "size"));
+  }
   auto words = scene_.words(a, *kind);
   if (words.empty())
     return Truth::unknown;

@@ -2,7 +2,6 @@
 
 #include "castor/communication/dialogue/asides.hpp"
 #include "castor/communication/dialogue/content.hpp"
-#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/examples.hpp"
@@ -94,17 +93,17 @@ public:
     for (std::size_t i = 0; i < found.size(); ++i) {
       const auto& meaning = found[i].meaning;
       const auto next = i + 1 < found.size() ? found[i + 1].likeness : 0;
+      auto certainty = 2 * found[i].likeness - next;
       // What is little like anything is never done.
-      const auto certainty = found[i].likeness < least_likeness
-                               ? std::min(2 * found[i].likeness - next, least_to_answer - 0.01)
-                               : 2 * found[i].likeness - next;
+      if (found[i].likeness < least_likeness)
+        certainty = std::min(certainty, least_to_answer - 0.01);
       const bool is_question = may_begin_question(meaning.front());
       if (certainty < (is_proposed ? least_to_ask : least_to_do))
         break;
       auto form = parser_.parse_whole(meaning);
       if (!form || (asks && !is_question && certainty < least_to_do))
         continue;
-      const bool is_handled = handles(*form);
+      const bool is_handled = asks_for_handling(*form, lexicon());
       const auto least = is_question                        ? least_to_answer
                          : is_prohibition(*form, lexicon()) ? least_to_ask
                                                             : least_to_do;
@@ -128,12 +127,6 @@ private:
   bool may_name_other_thing(const std::string& word) const {
     return word != "," && !lexicon().knows(word) && !lexicon().is_in_a_class(word) &&
            !word.ends_with("ly") && !word.ends_with("ing");
-  }
-
-  bool handles(const PackedLogicalForm& form) const {
-    const auto move = move_of(form, lexicon());
-    return move.type == DialogueMoveType::action_directive &&
-           is_handling(move.content, lexicon().meanings());
   }
 
   /// "And be quick", that names nothing.
@@ -179,7 +172,7 @@ private:
     }
     const bool is_asked_for =
       begin > 0 && is_among(words_[begin - 1], {"which", "what", "how", "many", "whose"});
-    if (is_asked_for || is_verb(first))
+    if (is_asked_for || is_handling_verb(first, lexicon()))
       return word;
     for (auto length = std::min(longest_name, words_.size() - begin); length > 0; --length) {
       const auto said = words_between(words_, begin, begin + length);
@@ -207,11 +200,6 @@ private:
         return turned;
     }
     return names_things(parser_, said) ? std::optional{said} : std::nullopt;
-  }
-
-  bool is_verb(const std::string& word) const {
-    return lexicon().meanings().actions.contains(word) &&
-           lexicon().meanings().handling.contains(word);
   }
 
   /// Its last word does, and no word says what is to be done.

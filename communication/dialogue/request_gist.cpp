@@ -2,7 +2,6 @@
 
 #include "castor/communication/dialogue/beside_requests.hpp"
 #include "castor/communication/dialogue/content.hpp"
-#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
@@ -97,12 +96,6 @@ private:
     return ++parses_ > most_gist_parses ? std::nullopt : parser_.parse_whole(std::move(words));
   }
 
-  bool is_handled(const PackedLogicalForm& form) const {
-    const auto move = move_of(form, lexicon());
-    return move.type == DialogueMoveType::action_directive &&
-           is_handling(move.content, lexicon().meanings());
-  }
-
   void find_phrases() {
     for (std::size_t i = 0; i < words_.size();) {
       if (auto found = phrase_at(i)) {
@@ -121,7 +114,7 @@ private:
   /// The longest one, and how many words are said.
   std::optional<std::pair<Phrase, std::size_t>> phrase_at(std::size_t begin) {
     const auto& first = words_[begin];
-    if (first == "," || is_verb(first))
+    if (first == "," || is_handling_verb(first, lexicon()))
       return std::nullopt;
     for (auto length = std::min(longest_part, words_.size() - begin); length > 0; --length) {
       auto said = words_between(words_, begin, begin + length);
@@ -166,15 +159,10 @@ private:
     for (const auto* pronoun : {"it", "them"}) {
       WordList request{"put", pronoun};
       request.insert(request.end(), said.begin(), said.end());
-      if (const auto form = parse(std::move(request)); form && is_handled(*form))
+      if (const auto form = parse(std::move(request)); form && asks_for_handling(*form, lexicon()))
         return true;
     }
     return false;
-  }
-
-  bool is_verb(const std::string& word) const {
-    return lexicon().meanings().actions.contains(word) &&
-           lexicon().meanings().handling.contains(word);
   }
 
   /// Whether nothing that is left out says something of a thing or a place.
@@ -206,7 +194,8 @@ private:
     const bool has_place =
       std::ranges::find(phrases_, Kind::place, &Phrase::kind) != phrases_.end();
     for (const auto& word : words_)
-      if (is_verb(word) && std::ranges::find(result, WordList{word}) == result.end())
+      if (is_handling_verb(word, lexicon()) &&
+          std::ranges::find(result, WordList{word}) == result.end())
         result.push_back({word});
     const bool may_be_put = has_place || result.empty();
     if (result.size() > 1)
@@ -234,7 +223,7 @@ private:
     } else
       add(true, true);
     auto form = parse(request);
-    if (!form || !is_handled(*form))
+    if (!form || !asks_for_handling(*form, lexicon()))
       return std::nullopt;
     form->partial = PartialRequest{{}, written(request), false};
     return form;

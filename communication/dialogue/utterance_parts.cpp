@@ -2,6 +2,7 @@
 
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 
@@ -34,6 +35,16 @@ DialogueMove move_of(const PackedLogicalForm& form, const Lexicon& lexicon) {
   take_readings(form, result);
   take_requests(result, lexicon.meanings());
   return result;
+}
+
+bool asks_for_handling(const PackedLogicalForm& form, const Lexicon& lexicon) {
+  const auto move = move_of(form, lexicon);
+  return move.type == DialogueMoveType::action_directive &&
+         is_handling(move.content, lexicon.meanings());
+}
+
+bool is_handling_verb(const std::string& word, const Lexicon& lexicon) {
+  return lexicon.meanings().actions.contains(word) && lexicon.meanings().handling.contains(word);
 }
 
 bool is_prohibition(const PackedLogicalForm& form, const Lexicon& lexicon) {

@@ -19,6 +19,12 @@ std::string written(const std::vector<std::string>& words);
 
 DialogueMove move_of(const PackedLogicalForm& form, const Lexicon& lexicon);
 
+/// Whether it asks to do something that the robot handles.
+bool asks_for_handling(const PackedLogicalForm& form, const Lexicon& lexicon);
+
+/// Whether the word says what is to be done with things.
+bool is_handling_verb(const std::string& word, const Lexicon& lexicon);
+
 /// Whether it asks not to do something, which harms nobody if it is misunderstood.
 bool is_prohibition(const PackedLogicalForm& form, const Lexicon& lexicon);
 

@@ -255,6 +255,7 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
   const GroundPoint middle{(area.low.x + area.high.x) / 2, (area.low.y + area.high.y) / 2};
   const bool is_on_table = x.centre.x >= area.low.x && x.centre.x <= area.high.x &&
                            x.centre.y >= area.low.y && x.centre.y <= area.high.y;
+  const auto from = is_on_table ? x.centre : middle;
   const auto columns =
     positions_between(area.low.x + x.radius, area.high.x - x.radius, options_.step);
   const auto rows = positions_between(area.low.y + x.radius, area.high.y - x.radius, options_.step);
@@ -278,7 +279,6 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
         unlikely == 1 && reach == Reach::by_stop && are_worth_stop(places, !is_on_table);
       const double less = is_worth_stop ? stop_worth_it : unlikely * less_likely;
       // Of equally good ones, the nearest to where it is.
-      const auto from = is_on_table ? x.centre : middle;
       const double far = 0.2 * distance(centre, from) + off_side(places, from, centre) +
                          far_off(places, object, centre);
       const double narrow = 0.3 * std::max(0.0, 1 - gap / options_.ample_clearance);
