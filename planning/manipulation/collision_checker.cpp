@@ -131,8 +131,9 @@ struct CollisionChecker::World {
 
   void add_scene(const Scene& scene, const CollisionOptions& options) {
     for (const auto& thing : scene.things) {
-      things.push_back(std::make_unique<Object>(geometry_of(thing.solid, thing.uncertainty),
-                                                to_isometry(thing.pose)));
+      const auto [solid, pose] = highest(thing);
+      things.push_back(
+        std::make_unique<Object>(geometry_of(solid, thing.uncertainty), to_isometry(pose)));
       names.push_back(thing.name);
       const bool may_touch = std::ranges::count(options.may_touch, thing.name) > 0;
       things.back()->setUserData(may_touch ? this : nullptr);
@@ -167,9 +168,11 @@ struct CollisionChecker::World {
     for (const auto& finger : fingers(arm, opening))
       add_part("the gripper", last, chain.size(), true, finger.solid,
                chain.tool_on_link() * to_isometry(finger.pose));
-    if (scene.held)
-      add_part(scene.held->name, last, chain.size(), true, scene.held->solid,
-               chain.tool_on_link() * to_isometry(scene.held->pose), scene.held->uncertainty);
+    if (scene.held) {
+      const auto [solid, pose] = highest(*scene.held);
+      add_part(scene.held->name, last, chain.size(), true, solid,
+               chain.tool_on_link() * to_isometry(pose), scene.held->uncertainty);
+    }
   }
 
   void find_pairs(const ArmModel& arm) {

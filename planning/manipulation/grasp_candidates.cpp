@@ -29,6 +29,12 @@ double half_extent(const NamedSolid& thing, const Vector3d& direction) {
   return manipulation::half_extent(thing, geometry::to_point(direction));
 }
 
+/// From the thing's middle against the direction, however high it may be.
+double most_extent(const NamedSolid& thing, const Vector3d& direction) {
+  const Vector3d axis = geometry::to_eigen(thing.pose.rotation).toRotationMatrix().col(2);
+  return half_extent(thing, direction) + thing.higher * std::max(0.0, -axis.dot(direction));
+}
+
 struct Closing {
   Vector3d direction;
   double width;
@@ -114,7 +120,7 @@ private:
   /// stands on is not in their way.
   std::optional<Vector3d> position_for(const Vector3d& approach, const Vector3d& closing) const {
     const double depth = gripper_.finger.z - gripper_.beyond - options_.gap;
-    const double extent = half_extent(thing_, approach);
+    const double extent = most_extent(thing_, approach);
     Vector3d result = position_ - std::max(0.0, extent - depth) * approach;
     const double half = half_extent(thing_, Vector3d::UnitZ());
     const Vector3d side = closing.cross(approach);
@@ -157,7 +163,7 @@ double way_out(const ArmModel& arm, const NamedSolid& thing, const Pose& tool,
   const Vector3d axis = geometry::to_eigen(z_axis);
   const double past_middle =
     (geometry::to_eigen(tool.position) - geometry::to_eigen(thing.pose.position)).dot(axis);
-  const double beside = past_middle + arm.gripper->beyond + half_extent(thing, z_axis);
+  const double beside = past_middle + arm.gripper->beyond + most_extent(thing, axis);
   return std::max(options.approach, beside + options.gap + thing.uncertainty);
 }
 

@@ -29,6 +29,9 @@ constexpr double most_length = 0.6;
 constexpr int most_rounds = 40;
 /// Regions that are so near to each other may be of things before each other, pixels.
 constexpr double touching = 3;
+/// Standard deviation of how far an outline reaches in a direction, pixels. Those of neighbouring
+/// directions are not independent.
+constexpr double outline_deviation = 1;
 /// How much it counts if a solid goes on where it may be hidden.
 constexpr double hidden_share = 0.1;
 
@@ -168,19 +171,13 @@ public:
     if (!residual)
       return {};
     double damping = 1e-3;
+    Eigen::MatrixXd normal;
     for (int i = 0; i < most_rounds; ++i) {
-      Eigen::MatrixXd jacobian(outline_directions, p.size());
-      for (Eigen::Index j = 0; j < p.size(); ++j) {
-        constexpr double step = 1e-5;
-        VectorXd moved = p;
-        moved[j] += step;
-        const auto other = residual_of(moved);
-        if (!other)
-          return {};
-        jacobian.col(j) = (*other - *residual) / step;
-      }
-      const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-      const VectorXd slope = jacobian.transpose() * *residual;
+      const auto jacobian = jacobian_at(p, *residual);
+      if (!jacobian)
+        return {};
+      normal = jacobian->transpose() * *jacobian;
+      const VectorXd slope = jacobian->transpose() * *residual;
       bool is_better = false;
       double gained = 0;
       for (int tries = 0; tries < 8 && !is_better; ++tries) {
@@ -205,10 +202,38 @@ public:
     auto result = solid_of(model_, p);
     result.pose.frame = camera_.pose.frame;
     result.error = std::sqrt(residual->squaredNorm() / outline_directions);
+    result.height_deviation = height_deviation(normal);
     return result;
   }
 
 private:
+  /// Nothing if a solid that is a little different leaves the picture's part of the table.
+  std::optional<Eigen::MatrixXd> jacobian_at(const VectorXd& p, const VectorXd& residual) const {
+    constexpr double step = 1e-5;
+    Eigen::MatrixXd result(outline_directions, p.size());
+    for (Eigen::Index j = 0; j < p.size(); ++j) {
+      VectorXd moved = p;
+      moved[j] += step;
+      const auto other = residual_of(moved);
+      if (!other)
+        return {};
+      result.col(j) = (*other - residual) / step;
+    }
+    return result;
+  }
+
+  /// From above, a higher solid looks like a wider one: by the covariance of what was fitted.
+  double height_deviation(const Eigen::MatrixXd& normal) const {
+    if (model_ != Model::cylinder && model_ != Model::block)
+      return 0;
+    // Within the range of lengths, however little the outline says.
+    const auto last = normal.cols() - 1;
+    const double least = 1 / (most_length * most_length);
+    Eigen::MatrixXd known = normal / (outline_deviation * outline_deviation);
+    known.diagonal().array() += least;
+    return std::sqrt(known.inverse()(last, last));
+  }
+
   std::optional<VectorXd> residual_of(const VectorXd& p) const {
     std::vector<Point2> pixels;
     for (const auto& point : outline_points(solid_of(model_, p), camera_.pose.position)) {

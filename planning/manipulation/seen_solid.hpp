@@ -16,6 +16,9 @@ struct SeenSolid {
   Pose pose;
   /// Root mean square of the distance of the outlines, pixels.
   double error = 0;
+  /// Standard deviation of its height, where that was fitted by itself; metres. What is seen from
+  /// above may be much higher than it seems.
+  double height_deviation = 0;
 };
 
 /// The solid of this shape whose outline in the picture is nearest to that: position, turn and

@@ -36,6 +36,13 @@ Solid sphere(double diameter) {
   return {SolidKind::sphere, {diameter, diameter, diameter}};
 }
 
+PlacedSolid highest(const NamedSolid& thing) {
+  PlacedSolid result{thing.solid, thing.pose};
+  result.solid.size.z += thing.higher;
+  result.pose.position = geometry::transform(thing.pose, Point3{0, 0, thing.higher / 2});
+  return result;
+}
+
 double outer_radius(const Solid& solid) {
   const auto& size = solid.size;
   switch (solid.kind) {

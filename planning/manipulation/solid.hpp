@@ -49,9 +49,15 @@ struct NamedSolid {
   /// How much further its surface may be out than the solid says; metres. Who moves past it keeps
   /// that much more away.
   double uncertainty = 0;
+  /// How much further along its own z axis it may reach, metres: what a camera sees from above may
+  /// be higher than it seems.
+  double higher = 0;
 
   friend bool operator==(const NamedSolid&, const NamedSolid&) = default;
 };
+
+/// As high as the thing may be, with the same foot.
+PlacedSolid highest(const NamedSolid& thing);
 
 /// Distance from the origin of a solid to the farthest of its points, metres.
 double outer_radius(const Solid& solid);

@@ -173,6 +173,7 @@ struct HeldThing {
   /// In the tool's frame; in the arm's, if it was let go.
   geometry::Pose pose;
   double uncertainty = 0;
+  double higher = 0;
   bool let_go = false;
 };
 
@@ -194,7 +195,7 @@ CASTOR_REFLECT(Manipulation, time, status, task, step, what, seen, holds, held, 
                in_way_ids, still_joints, plans, tries, planning_time)
 CASTOR_REFLECT_ENUM(SolidKind, box, cylinder, capsule, sphere)
 CASTOR_REFLECT(Solid, kind, size)
-CASTOR_REFLECT(HeldThing, what, name, colour, shape, solid, pose, uncertainty, let_go)
+CASTOR_REFLECT(HeldThing, what, name, colour, shape, solid, pose, uncertainty, higher, let_go)
 
 // -- the arm
 

@@ -23,10 +23,10 @@ constexpr const char* destination = "where it rests";
 
 /// As they are seen.
 Scene exactly(Scene scene) {
-  for (auto& x : scene.things)
-    x.uncertainty = 0;
+  const auto make_exact = [](NamedSolid& x) { x.uncertainty = x.higher = 0; };
+  std::ranges::for_each(scene.things, make_exact);
   if (scene.held)
-    scene.held->uncertainty = 0;
+    make_exact(*scene.held);
   return scene;
 }
 

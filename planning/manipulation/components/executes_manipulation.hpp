@@ -129,7 +129,7 @@ protected:
   void remember(const NamedSolid& thing, bool let_go = false) {
     const auto& x = held_thing_;
     put(held_entry(), HeldThing{seen_as(x.id), thing.name, x.colour, x.shape, thing.solid,
-                                thing.pose, thing.uncertainty, let_go});
+                                thing.pose, thing.uncertainty, thing.higher, let_go});
   }
 
   /// What a predecessor has taken is in the gripper. False if it did not say what that is.
@@ -142,7 +142,7 @@ protected:
       return false;
     }
     const auto before = read<HeldThing>(held_entry());
-    held_ = {before->name, before->solid, before->pose, before->uncertainty};
+    held_ = {before->name, before->solid, before->pose, before->uncertainty, before->higher};
     held_thing_ = {before->what.address.id, before->colour, before->shape, *held_};
     return true;
   }
@@ -153,7 +153,8 @@ protected:
     if (!exists(held_entry()))
       return;
     const auto before = read<HeldThing>(held_entry());
-    NamedSolid thing{before->name, before->solid, before->pose, before->uncertainty};
+    NamedSolid thing{before->name, before->solid, before->pose, before->uncertainty,
+                     before->higher};
     if (!before->let_go)
       thing.pose = geometry::compose(tool_pose(arm(), state()->positions), before->pose);
     const auto id = before->what.address.id;
@@ -307,7 +308,8 @@ protected:
   /// What the gripper holds after a stage, and where things are that vision has not seen since.
   void note_changes(const MotionStage& stage, const ManipulationPlan& plan) {
     if (stage.status == ManipulationStatus::releasing && held_ && plan.goal && !state()->holds) {
-      let_go_ = {held_->name, held_->solid, *plan.goal, held_->uncertainty};
+      let_go_ = held_;
+      let_go_->pose = *plan.goal;
       things_.push_back({{}, {}, {}, *let_go_});
     }
     if (state() && !state()->holds)

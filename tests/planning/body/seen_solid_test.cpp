@@ -83,6 +83,25 @@ TEST(SeenSolid, ACylinderIsAsHighAsItIs) {
   }
 }
 
+/// From above, a higher cylinder looks like a wider one.
+TEST(SeenSolid, TheHeightBelowTheCameraIsKnownLessWell) {
+  double aside = 0;
+  for (const auto* place : {"0.25 0.1", "0 -0.15", "-0.02 -0.18", "0.04 -0.2"}) {
+    const auto x =
+      look_at(std::string("red cylinder at ") + place + " size 0.05 0.088", "cylinder");
+    ASSERT_TRUE(x) << place;
+    const double too_low = 0.088 - x->solid.solid.size.z;
+    EXPECT_LT(too_low, 2 * x->solid.height_deviation) << place;
+    if (aside == 0)
+      aside = x->solid.height_deviation;
+    else
+      EXPECT_GT(x->solid.height_deviation, 1.5 * aside) << place;
+  }
+  const auto ball = look_at("red sphere at 0 -0.15 size 0.05", "sphere");
+  ASSERT_TRUE(ball);
+  EXPECT_EQ(ball->solid.height_deviation, 0);
+}
+
 TEST(SeenSolid, AFlatPieceIsFlat) {
   const auto x = look_at("yellow disc at 0.1 0 size 0.09", "circle");
   ASSERT_TRUE(x);

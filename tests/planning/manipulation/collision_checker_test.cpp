@@ -58,6 +58,19 @@ TEST(CollisionChecker, KeepsAwayFromWhatIsNotKnownExactly) {
   EXPECT_FALSE(CollisionChecker(katana(), {{it}, {}}).is_free(forward));
 }
 
+TEST(CollisionChecker, KeepsAwayFromWhereAThingMayReachUpTo) {
+  // Below the forearm, which is 0.055 m thick, and 9.4 mm away; then above it.
+  auto below = thing("it", box(0.06, 0.06, 0.06), 0.26, 0, 0.2015 - 0.0275 - 0.0394);
+  auto above = thing("it", box(0.06, 0.06, 0.06), 0.26, 0, 0.2015 + 0.0275 + 0.0394);
+  for (auto* it : {&below, &above})
+    it->higher = 0.004;
+  EXPECT_TRUE(CollisionChecker(katana(), {{below}, {}}).is_free(forward));
+  for (auto* it : {&below, &above})
+    it->higher = 0.005;
+  EXPECT_FALSE(CollisionChecker(katana(), {{below}, {}}).is_free(forward));
+  EXPECT_TRUE(CollisionChecker(katana(), {{above}, {}}).is_free(forward));
+}
+
 TEST(CollisionChecker, TheArmMayNotTouchItself) {
   CollisionChecker checker(katana(), {});
   EXPECT_TRUE(checker.is_free(katana().home));

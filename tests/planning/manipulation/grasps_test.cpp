@@ -114,6 +114,18 @@ TEST(GraspCandidates, HaveRoomForPalmAndFingers) {
   }
 }
 
+TEST(GraspCandidates, HaveRoomForThePalmAsHighAsTheThingMayBe) {
+  const auto arm = katana();
+  auto it = thing("it", cylinder(0.04, 0.07), 0.2, 0, 0.035);
+  it.higher = 0.012;
+  const auto candidates = grasp_candidates(arm, it, true);
+  const auto from_above = std::ranges::find(candidates, pi, &GraspCandidate::tilt);
+  ASSERT_NE(from_above, candidates.end());
+  const double z = from_above->tool.position.z;
+  EXPECT_GT(z + arm.gripper->finger.z - arm.gripper->beyond, 0.07 + 0.012 + 0.005);
+  EXPECT_LT(z - arm.gripper->beyond, 0.07);
+}
+
 TEST(GraspCandidates, NeedAGripperThatOpensWide) {
   EXPECT_TRUE(
     grasp_candidates(katana(), thing("it", box(0.12, 0.12, 0.12), 0.2, 0, 0.06), true).empty());
