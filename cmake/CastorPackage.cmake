@@ -33,8 +33,8 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME castor)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
-# The font that pictures of timelines are measured for.
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS fonts-liberation2)
+# The font that pictures of timelines are measured for, and a list of words that are spelt rightly.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "fonts-liberation2, wamerican-small")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "bash-completion, castor-dev, graphviz")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "runtime for the architectures of intelligent robots
 Castor runs information-processing architectures: components that meet on

@@ -11,8 +11,8 @@ packages=(
   libmrpt-maps-dev libmrpt-slam-dev liboctomap-dev
   # Motions of arms; OMPL needs those of Boost without saying so. Descriptions of arms of others.
   libfcl-dev libompl-dev libboost-filesystem-dev libboost-serialization-dev libboost-system-dev libtinyxml2-dev
-  # The font of timelines.
-  fonts-liberation2
+  # The font of timelines. Words that are spelt rightly.
+  fonts-liberation2 wamerican-small
   # For the tests of what `castor new` makes.
   libgtest-dev
 )

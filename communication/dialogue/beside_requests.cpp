@@ -135,7 +135,7 @@ bool is_about_people(const WordList& words, Parser& parser) {
   // "My aunt admired it there" may be about the thing: it is better to ask.
   const bool is_own_plan = is_among(words[1], {"want", "need", "have"}) && words[2] == "to";
   const bool may_be_about_thing = !is_own_plan && std::ranges::any_of(words, [](const auto& x) {
-    return is_among(x, {"it", "them", "there", "this", "that", "one"});
+    return is_among(x, {"it", "them", "this", "that", "one"});
   });
   if (is_own_wish || may_be_about_thing ||
       !is_aside(parser.lexicon(), words, Beside::request, false))
@@ -143,6 +143,13 @@ bool is_about_people(const WordList& words, Parser& parser) {
   // "I need some space" asks for something.
   const auto form = parser.parse_whole(words);
   return !form || !is_clear_request(*form, false);
+}
+
+/// "Like a little centrepiece": of what is not known.
+bool is_comparison(const WordList& words, const Lexicon& lexicon) {
+  return words.size() > 2 && is_among(words[0], {"like", "as"}) &&
+         is_among(words[1], {"a", "an", "the", "my", "our"}) && !lexicon.knows(words.back()) &&
+         std::ranges::none_of(words, decides);
 }
 
 bool begins_with_if(const WordList& words) {
@@ -157,7 +164,8 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
   bool is_alternative = false;
   bool begins_with_remark = false;
   for (const auto& x : pieces_of(words)) {
-    const bool is_aside_piece = is_remark(x, parser.lexicon()) || is_about_people(x, parser);
+    const bool is_aside_piece = is_remark(x, parser.lexicon()) || is_about_people(x, parser) ||
+                                is_comparison(x, parser.lexicon());
     if (request.empty() && left_out.empty())
       begins_with_remark = is_aside_piece;
     const bool is_left_out = is_alternative || is_aside_piece;

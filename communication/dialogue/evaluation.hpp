@@ -203,6 +203,7 @@ private:
   Fitting members_of_pronoun(const Nominal& phrase);
   Things pointed_out_before(const Nominal& phrase);
   const Nominal* earlier_phrase(const Nominal& pronoun);
+  Fitting handled_before(const Nominal& pronoun);
   const Nominal* phrase_in_predicate(const Nominal& pronoun);
 
   // -- phrases

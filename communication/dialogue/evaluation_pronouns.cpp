@@ -34,6 +34,8 @@ Fitting Evaluation::members_of_pronoun(const Nominal& phrase) {
     return members_of(*topic);
   if (const auto* earlier = earlier_phrase(phrase))
     return members_of(*earlier);
+  if (const auto handled = handled_before(phrase); !handled.possible.empty())
+    return handled;
   if (!within_.empty() && is_plural(phrase)) {
     const auto inside = items(within_);
     return {inside, inside};
@@ -87,6 +89,35 @@ const Nominal* Evaluation::earlier_phrase(const Nominal& pronoun) {
       return x;
   }
   return nullptr;
+}
+
+/// "Put the cube on the box, and the ball beside them": the cube and the box. Nothing if no several
+/// things are handled before.
+Fitting Evaluation::handled_before(const Nominal& pronoun) {
+  const auto* root = find_nominal(form_, form_.root);
+  const auto* first =
+    root != nullptr && root->sort == "conjunction" ? dependent(form_, *root, "First") : nullptr;
+  if (first == nullptr || first->sort != "action" || !is_plural(pronoun) || is_deictic(pronoun))
+    return {};
+  const auto said = part_of(form_, first->name);
+  if (find_nominal(said, pronoun.name) != nullptr)
+    return {};
+  Fitting result;
+  std::size_t phrases = 0;
+  for (const auto& x : said.nominals) {
+    if (x.sort != "thing" || !is_definite(x) || is_pronoun(x) ||
+        vocabulary().surroundings(x) != nullptr)
+      continue;
+    auto members = members_of(*find_nominal(form_, x.name));
+    // "Put the cubes on the box, and the ball beside them": the cubes.
+    if (is_plural(x))
+      return members;
+    ++phrases;
+    for (const auto& id : members.possible)
+      if (result.contains(id) == Truth::no)
+        result.add(id, members.contains(id));
+  }
+  return phrases > 1 ? result : Fitting{};
 }
 
 /// "Is the ball behind the disc or in front of it?": the disc. Null if there is none.

@@ -5,6 +5,7 @@
 #include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/examples.hpp"
+#include "castor/communication/parsing/stem.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace castor::communication {
@@ -26,6 +29,9 @@ using Pieces = std::vector<ExamplePiece>;
 constexpr double least_to_do = 0.8;
 constexpr double least_to_answer = 0.65;
 constexpr double least_to_ask = 0.38;
+
+/// If it says the same things and places, however.
+constexpr double least_to_do_the_same = 0.45;
 
 /// How like the examples it has to be to be done or answered, if no other meaning is near.
 constexpr double least_likeness = 0.5;
@@ -64,6 +70,14 @@ bool are_short(const ExamplePiece& a, const ExamplePiece& b) {
   return a.words.size() <= 2 && b.words.size() <= 2;
 }
 
+/// Says nothing of what is to be done.
+bool is_function_word(std::string_view word) {
+  return is_among(word, {",",   "a",   "an",   "the",  "at",    "in",    "on",    "to",
+                         "of",  "for", "i",    "we",   "you",   "it",    "'s",    "'d",
+                         "'ll", "let", "want", "like", "would", "can",   "will",  "could",
+                         "get", "be",  "have", "put",  "move",  "place", "along", "please"});
+}
+
 /// What any thing may be called.
 bool is_general_name(std::string_view word) {
   return is_among(word, {"thing", "things", "object", "objects", "item", "items", "one", "ones",
@@ -88,8 +102,12 @@ public:
       return std::nullopt;
     if (!matches_)
       matches_ = matches(*pieces_);
-    const auto& found = *matches_;
+    auto found = *matches_;
     const bool asks = may_begin_question(words_.front());
+    // "Can you put the ball on the left" does not ask whether it is there.
+    if (!asks &&
+        std::ranges::any_of(words_, [&](const auto& x) { return is_handling_verb(x, lexicon()); }))
+      std::erase_if(found, [](const auto& x) { return may_begin_question(x.meaning.front()); });
     for (std::size_t i = 0; i < found.size(); ++i) {
       const auto& meaning = found[i].meaning;
       const auto next = i + 1 < found.size() ? found[i + 1].likeness : 0;
@@ -98,6 +116,10 @@ public:
       if (found[i].likeness < least_likeness)
         certainty = std::min(certainty, least_to_answer - 0.01);
       const bool is_question = may_begin_question(meaning.front());
+      if (!is_question && certainty >= least_to_do_the_same && says_the_same(meaning))
+        certainty = std::max(certainty, least_to_do);
+      if (begins_with_unknown_verb())
+        certainty = std::min(certainty, least_to_do - 0.01);
       if (certainty < (is_proposed ? least_to_ask : least_to_do))
         break;
       auto form = parser_.parse_whole(meaning);
@@ -122,6 +144,32 @@ public:
 
 private:
   const Lexicon& lexicon() const { return parser_.lexicon(); }
+
+  /// "Weld the cubes together" is not what it is like.
+  bool begins_with_unknown_verb() const {
+    return pieces_->size() > 1 && !pieces_->front().names_things && (*pieces_)[1].names_things &&
+           !lexicon().knows(words_.front());
+  }
+
+  /// Whether the meaning says all that is said, and no more.
+  bool says_the_same(const WordList& meaning) const {
+    const auto said = contents_of(words_);
+    const auto meant = contents_of(meaning);
+    return !said.empty() && std::ranges::includes(meant, said) &&
+           std::ranges::all_of(meant, [&](const auto& x) {
+             return said.contains(x) || is_among(x, {"put", "edg", "side", "tabl"});
+           });
+  }
+
+  /// Stems of what is said of things and places.
+  std::set<std::string> contents_of(const WordList& words) const {
+    std::set<std::string> result;
+    for (const auto& word : words)
+      if (!is_function_word(word) && !lexicon().is_in(WordClass::aside, word) &&
+          !lexicon().is_in(WordClass::frame, word) && lexicon().filler(word) == nullptr)
+        result.insert(stem_of(word));
+    return result;
+  }
 
   /// Words that are not known may; those that only say how do not: "gingerly".
   bool may_name_other_thing(const std::string& word) const {

@@ -5,6 +5,7 @@
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/function_words.hpp"
 #include "castor/communication/dialogue/likely_meaning.hpp"
+#include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/pauses.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
@@ -86,7 +87,10 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
     return std::nullopt;
   if (auto result = parsed_otherwise(parser, words, form))
     return result;
-  auto other = paraphrased(words, parser.lexicon(), false);
+  if (auto other = paraphrased(words, parser.lexicon(), false))
+    if (auto result = parsed_paraphrase(parser, std::move(*other)))
+      return result;
+  auto other = with_articles(parser, words);
   return other ? parsed_paraphrase(parser, std::move(*other)) : std::nullopt;
 }
 

@@ -2,15 +2,24 @@
 
 #include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/dialogue/content.hpp"
+#include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
+#include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/fragments.hpp"
 #include "castor/communication/dialogue/proposals.hpp"
 #include "castor/communication/dialogue/responder.hpp"
 #include "castor/communication/dialogue/small_talk.hpp"
+#include "castor/communication/parsing/hybrid_logic.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace castor::communication {
 
@@ -84,6 +93,67 @@ Response respond_to_all(Responder& responder, DialogueMoveType type, const Logic
   return result;
 }
 
+const LogicalForm& content_of(const DialogueMove& move, std::size_t reading) {
+  return reading == 0 ? move.content : move.alternatives[reading - 1];
+}
+
+/// What is to be moved: null if the form asks for nothing like that.
+const Nominal* moved_thing(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  const bool is_moved =
+    root != nullptr && root->sort == "action" && dependent(form, *root, "Destination") != nullptr;
+  return is_moved ? dependent(form, *root, "Patient") : nullptr;
+}
+
+/// Whether a phrase, perhaps with where the thing is, means one thing.
+bool means_one_thing(const LogicalForm& form, const Nominal& phrase, const Antecedents& antecedents,
+                     SceneKnowledge& scene) {
+  try {
+    return Evaluation{form, antecedents, scene}.meant(phrase).size() == 1;
+  } catch (const Uninterpretable&) {
+    return false;
+  }
+}
+
+/// "On the left on the right": of both, one says where it is.
+bool has_opposite_places(const LogicalForm& form) {
+  const auto is_named = [&](std::string_view place) {
+    return std::ranges::any_of(form.nominals, [&](const Nominal& x) {
+      return x.sort == "region" && x.proposition == place;
+    });
+  };
+  return (is_named("left") && is_named("right")) || (is_named("front") && is_named("back"));
+}
+
+/// "Put the blue ball at the front in the middle": where there is one blue ball, nobody says
+/// besides where it is, so that both say where it is to go. "Take the ball on the left" says which
+/// one, if one is there.
+std::vector<std::size_t> readings_by_likelihood(const DialogueMove& move,
+                                                const Antecedents& antecedents,
+                                                SceneKnowledge& scene) {
+  std::vector<std::size_t> result(move.alternatives.size() + 1);
+  std::iota(result.begin(), result.end(), 0);
+  const auto* thing = moved_thing(move.content);
+  if (thing == nullptr || !is_definite(*thing))
+    return result;
+  const bool says_where_it_is = dependent(move.content, *thing, "Location") != nullptr;
+  const auto is_likelier = [&](std::size_t reading) {
+    const auto& content = content_of(move, reading);
+    const auto* root = find_nominal(content, content.root);
+    const auto* other = says_where_it_is ? moved_thing(content)
+                        : root->sort == "action" && root->proposition == "take"
+                          ? dependent(content, *root, "Patient")
+                          : nullptr;
+    return other != nullptr && other->proposition == thing->proposition &&
+           (dependent(content, *other, "Location") == nullptr) == says_where_it_is &&
+           !(says_where_it_is && has_opposite_places(content)) &&
+           means_one_thing(content, *other, antecedents, scene);
+  };
+  if (const auto found = std::ranges::find_if(result, is_likelier); found != result.end())
+    std::rotate(result.begin(), found, std::next(found));
+  return result;
+}
+
 } // namespace
 
 Response respond(const DialogueMove& move, const Antecedents& antecedents, SceneKnowledge& scene) {
@@ -91,8 +161,8 @@ Response respond(const DialogueMove& move, const Antecedents& antecedents, Scene
     return say(RhetoricalRelation::clarification_question, move.problem);
   std::optional<Response> refusal;
   bool is_other_request_sought = false;
-  for (std::size_t reading = 0; reading <= move.alternatives.size(); ++reading) {
-    const auto& content = reading == 0 ? move.content : move.alternatives[reading - 1];
+  for (const auto reading : readings_by_likelihood(move, antecedents, scene)) {
+    const auto& content = content_of(move, reading);
     Responder responder{content, antecedents, scene};
     const auto type = reading == 0 ? move.type : dialogue_move_type(content);
     const bool is_request = type == DialogueMoveType::action_directive &&

@@ -16,4 +16,10 @@ bool names_things(Parser& parser, const std::vector<std::string>& said);
 std::optional<std::vector<std::string>> name_of_things(Parser& parser,
                                                        const std::vector<std::string>& said);
 
+/// With the articles that are missing after verbs of requests, and after words that begin a place:
+/// "take the cylinder and put it on the red cube" for "take cylinder and put it on red cube".
+/// Nothing if none is missing.
+std::optional<std::vector<std::string>> with_articles(Parser& parser,
+                                                      const std::vector<std::string>& words);
+
 } // namespace castor::communication

@@ -38,7 +38,7 @@ constexpr double without_negation = 0.5;
 constexpr double share_of_others = 0.13;
 constexpr std::size_t others = 3;
 
-bool is_slot(std::string_view word) {
+bool is_slot_word(std::string_view word) {
   return is_among(word, {"x", "y", "z"});
 }
 
@@ -109,7 +109,7 @@ double kept(const Bits& said, const Bits& example) {
 std::vector<ExamplePiece> pieces_of(std::string_view text) {
   std::vector<ExamplePiece> result;
   for (auto& word : words_of(text)) {
-    const bool is_thing = is_slot(word);
+    const bool is_thing = is_slot_word(word);
     result.push_back({{std::move(word)}, is_thing});
   }
   return result;
@@ -317,7 +317,7 @@ Examples::Words Examples::filled(const Example& example, const Said& said,
   const bool is_mirrored = !said.side.empty() && said.side != example.said.side;
   Words result;
   for (const auto& word : meanings_[example.meaning])
-    if (is_slot(word)) {
+    if (is_slot_word(word)) {
       const auto slot = std::ranges::find(example.slots, word) - example.slots.begin();
       const auto& thing = things[static_cast<std::size_t>(slot)];
       result.insert(result.end(), thing.begin(), thing.end());

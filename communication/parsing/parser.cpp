@@ -1,5 +1,6 @@
 #include "castor/communication/parsing/parser.hpp"
 
+#include "castor/communication/parsing/english_words.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 
 #include <algorithm>
@@ -196,6 +197,8 @@ Unparsable IncrementalParse::unknown_word(std::size_t position) const {
   auto meant = parser_.lexicon().suggestions(word);
   // The first letter is seldom wrong.
   std::erase_if(meant, [&](const auto& x) { return x.front() != word.front(); });
+  if (is_english_word(word))
+    meant.clear();
   return {static_cast<std::int32_t>(position), 1, word, "the word \"" + word + "\" is not known",
           std::move(meant)};
 }

@@ -1,5 +1,8 @@
 #include "castor/communication/parsing/spelling.hpp"
 
+#include "castor/communication/parsing/english_words.hpp"
+#include "castor/communication/parsing/stem.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -18,6 +21,10 @@ constexpr std::size_t shortest_with_another_letter = 5;
 
 /// Shorter words of which that is not so: they are said too often for a rare word to be meant.
 constexpr std::array frequent_words{"with", "that", "have", "over", "each", "from", "than", "blue"};
+
+/// Meant even if what is said is another word: a "cub" is a cube.
+constexpr std::array names_of_things{"ball", "cube",   "red",    "green",
+                                     "blue", "yellow", "purple", "orange"};
 
 bool is_without_one_letter(std::string_view longer, std::string_view shorter) {
   if (longer.size() != shorter.size() + 1)
@@ -92,6 +99,11 @@ std::string a_letter_off(const std::string& word, const Lexicon& lexicon) {
     return {};
   }
   auto known = lexicon.suggestions(word, 8);
+  // What is spelt rightly is that word, or another form of one of ours.
+  if (is_english_word(word))
+    std::erase_if(known, [stem = stem_of(word)](const auto& x) {
+      return stem_of(x) != stem && std::ranges::find(names_of_things, x) == names_of_things.end();
+    });
   // "Gingerly" is no other word than another adverb.
   const bool is_adverb = word.ends_with("ly");
   std::erase_if(known, [&](auto& x) {

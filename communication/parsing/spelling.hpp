@@ -12,7 +12,8 @@ namespace castor::communication {
 /// one is missing, doubled, or two are in the wrong order; in words of five letters and more, and
 /// in short ones that are said very often, one may be another. A word is two known ones if these
 /// are a phrase, such as "at least", or the first one is an article; the first word of an utterance
-/// may lack its first letter. Words that are not like any known one stay as they are. Letters that
+/// may lack its first letter. English words (see is_english_word) are only replaced by another form of
+/// the same word ("puts", "put"). Words that are not like any known one stay as they are. Letters that
 /// make a word long ("sooo") are left out, which is not among what was replaced.
 ///
 /// \returns what was replaced

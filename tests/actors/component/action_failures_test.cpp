@@ -12,10 +12,10 @@
 #include <chrono>
 #include <cstdlib>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// What becomes of an action whose requester or executor crashes, in each state of the action.
@@ -52,7 +52,7 @@ protected:
     offers = true;
     finishes = ignores_cancel = is_locked = false;
     wish = nothing;
-    locks.store(nullptr);
+    lock_next(std::nullopt);
     executions.clear();
     script("requester").run = [this](Self& self) { request(self, requester_lives++); };
     script("executor").run = [this](Self& self) { execute(self); };
@@ -103,10 +103,21 @@ protected:
       {.can_pause = true});
   }
 
+  /// What the component that locks is to lock; nothing if it is to end.
+  void lock_next(std::optional<Address> address) {
+    std::lock_guard guard{mutex};
+    locks = std::move(address);
+  }
+
+  std::optional<Address> wanted_lock() {
+    std::lock_guard guard{mutex};
+    return locks;
+  }
+
   /// Locks what the test says until there is nothing to lock.
   void lock(Self& self) {
     while (self.sleep_for(1ms)) {
-      auto address = locks.load();
+      const auto address = wanted_lock();
       if (address && !is_locked) {
         self.lock_entry(*address, LockLevel::odr);
         is_locked = true;
@@ -160,7 +171,7 @@ protected:
     if (status == ActionStatus::accepted) {
       // Its executor waits to read what it is to do.
       ASSERT_TRUE(has(ActionStatus::proposed));
-      locks = std::make_shared<const Address>(find(system, 0, number)->what.address);
+      lock_next(find(system, 0, number)->what.address);
       ASSERT_TRUE(eventually([&] { return is_locked.load(); }));
       offers = true;
     } else if (status == ActionStatus::paused || status == ActionStatus::cancelling) {
@@ -181,7 +192,7 @@ protected:
     EXPECT_TRUE(system.faults().inject(name, ComponentFault{}));
     auto release = [this] {
       ignores_cancel = false;
-      locks.store(nullptr);
+      lock_next(std::nullopt);
     };
     // An executor that is to crash could otherwise begin or end its action before that.
     if (name != "executor")
@@ -218,7 +229,7 @@ protected:
   std::atomic<bool> ignores_cancel{false};
   std::atomic<bool> is_locked{false};
   std::atomic<Wish> wish{nothing};
-  std::atomic<std::shared_ptr<const Address>> locks;
+  std::optional<Address> locks;
   std::mutex mutex;
   std::map<Address, int> executions;
 };
@@ -309,7 +320,7 @@ TEST_P(InEachState, AnActionThatContinuesOutlivesItsRequester) {
   ASSERT_TRUE(system.start());
   ASSERT_NO_FATAL_FAILURE(bring_into(system, state, 0));
   ASSERT_TRUE(system.faults().inject("requester", ComponentFault{}));
-  locks.store(nullptr);
+  lock_next(std::nullopt);
   EXPECT_TRUE(eventually([&] { return requester_lives == 2; }));
   offers = finishes = true;
   EXPECT_TRUE(eventually([&] { return has_status(system, 0, 0, ActionStatus::over); }));

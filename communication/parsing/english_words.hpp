@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace castor::communication {
+
+/// Whether a word, in small letters, is among the 50,000 commonest of English by Debian's
+/// wamerican-small; false where that is not installed. The list is read when a word is looked up
+/// first.
+bool is_english_word(const std::string& word);
+
+} // namespace castor::communication
