@@ -46,9 +46,10 @@ WordList without_fillers(WordList words, const Lexicon& lexicon) {
   return words;
 }
 
-/// "On the right", "what kind": what follows is no aside.
+/// "On the right", "what kind", "further right": what follows is no aside.
 bool is_before_noun(std::string_view word) {
-  return is_among(word, {"the", "a", "an", "it", "what", "which", "every", "each", "no"});
+  return is_among(word, {"the", "a", "an", "it", "what", "which", "every", "each", "no", "further",
+                         "more", "to", "far"});
 }
 
 } // namespace

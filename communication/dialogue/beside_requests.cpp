@@ -3,6 +3,8 @@
 #include "castor/communication/dialogue/aside_clauses.hpp"
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/likely_meaning.hpp"
+#include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
@@ -145,6 +147,28 @@ bool is_about_people(const WordList& words, Parser& parser) {
   return !form || !is_clear_request(*form, false);
 }
 
+/// "That'll be my backdrop": what it is for.
+bool says_purpose(const WordList& words) {
+  constexpr std::size_t longest = 8;
+  if (words.size() < 4 || words.size() > longest || !is_among(words[0], {"that", "this", "it"}))
+    return false;
+  const bool is_future = is_among(words[1], {"'ll", "will"}) && words[2] == "be";
+  const auto& next = words[is_future ? 3 : 2];
+  return (is_future || is_among(words[1], {"is", "'s"})) && is_among(next, {"my", "our", "for"}) &&
+         std::ranges::none_of(words, decides);
+}
+
+/// "To kick us off this morning, ..."
+bool is_purpose_before(const WordList& words, Parser& parser) {
+  const auto begin = is_among(words[0], {"and", "so", "just", "now"}) ? std::size_t{1} : 0;
+  if (words.size() < begin + 2 || words[begin] != "to" ||
+      is_among(words[begin + 1], {"the", "my", "your", "left", "right", "me", "its", "his", "her"}))
+    return false;
+  return std::ranges::none_of(words, [&](const auto& x) {
+    return decides(x) || is_handling_verb(x, parser.lexicon()) || names_things(parser, {"the", x});
+  });
+}
+
 /// "Like a little centrepiece": of what is not known.
 bool is_comparison(const WordList& words, const Lexicon& lexicon) {
   return words.size() > 2 && is_among(words[0], {"like", "as"}) &&
@@ -165,7 +189,8 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
   bool begins_with_remark = false;
   for (const auto& x : pieces_of(words)) {
     const bool is_aside_piece = is_remark(x, parser.lexicon()) || is_about_people(x, parser) ||
-                                is_comparison(x, parser.lexicon());
+                                says_purpose(x) || is_comparison(x, parser.lexicon()) ||
+                                (request.empty() && is_purpose_before(x, parser));
     if (request.empty() && left_out.empty())
       begins_with_remark = is_aside_piece;
     const bool is_left_out = is_alternative || is_aside_piece;
@@ -215,6 +240,26 @@ std::vector<std::string> without_reasons(const WordList& words, const Lexicon& l
       result.push_back(words[i]);
   }
   return result;
+}
+
+std::optional<PackedLogicalForm> parsed_prohibition_alone(Parser& parser, const WordList& words) {
+  const auto pieces = pieces_of(words);
+  if (pieces.size() < 2)
+    return std::nullopt;
+  for (const auto& piece : pieces) {
+    auto form = parser.parse_whole(piece);
+    if (!form)
+      form = LikelyMeaning{parser, piece}.likely();
+    if (!form || !is_prohibition(*form, parser.lexicon()))
+      continue;
+    WordList left_out;
+    for (const auto& other : pieces)
+      if (&other != &piece)
+        left_out.insert(left_out.end(), other.begin(), other.end());
+    form->corrections = {{text_of(left_out), {}}};
+    return form;
+  }
+  return std::nullopt;
 }
 
 std::optional<PackedLogicalForm> parsed_request_alone(Parser& parser, const WordList& words) {

@@ -26,4 +26,9 @@ std::optional<PackedLogicalForm> parsed_without_asking(Parser& parser,
 std::vector<std::string> without_reasons(const std::vector<std::string>& words,
                                          const Lexicon& lexicon);
 
+/// What is not to be done is kept to whatever else is said: "note on my account: nobody moves the
+/// cylinder". Nothing if the utterance has one part only, or none that forbids something.
+std::optional<PackedLogicalForm> parsed_prohibition_alone(Parser& parser,
+                                                          const std::vector<std::string>& words);
+
 } // namespace castor::communication

@@ -44,6 +44,7 @@ public:
         throw Uninterpretable{Reason::word, x.proposition};
     for_each_action(form_, *root, [this](auto& x) { add(x); });
     exchange();
+    mind_what_moves();
     return std::move(steps_);
   }
 
@@ -186,6 +187,17 @@ private:
     if (goes_where(first, steps_.back()) && goes_where(steps_.back(), first))
       steps_ = {DirectiveStep{
         action_for("swap"), {first.things.front(), steps_.back().things.front()}, 0, {}, {}}};
+  }
+
+  /// "The cylinder in the middle, and the cube where the cylinder is now": where that was before.
+  void mind_what_moves() {
+    for (auto step = steps_.begin(); step != steps_.end(); ++step)
+      for (auto& place : step->places)
+        if (place.relation == "where" &&
+            std::any_of(steps_.begin(), step, [&](const DirectiveStep& before) {
+              return !before.places.empty() && before.things == place.landmarks;
+            }))
+          place.relation = "where-before";
   }
 
   // -- kinds of steps

@@ -93,8 +93,7 @@ public:
 
   /// \param is_proposed whether the speaker may be asked
   std::optional<PackedLogicalForm> run(bool is_proposed) {
-    if (words_.empty() || words_.size() > most_words ||
-        std::ranges::any_of(words_, [&](const auto& word) { return may_name_other_thing(word); }))
+    if (words_.empty() || words_.size() > most_words || may_name_other_thing())
       return std::nullopt;
     if (!pieces_)
       pieces_ = pieces_of_words();
@@ -118,7 +117,7 @@ public:
       const bool is_question = may_begin_question(meaning.front());
       if (!is_question && certainty >= least_to_do_the_same && says_the_same(meaning))
         certainty = std::max(certainty, least_to_do);
-      if (begins_with_unknown_verb())
+      if (has_unknown_verb() && !says_where_to(meaning))
         certainty = std::min(certainty, least_to_do - 0.01);
       if (certainty < (is_proposed ? least_to_ask : least_to_do))
         break;
@@ -145,10 +144,23 @@ public:
 private:
   const Lexicon& lexicon() const { return parser_.lexicon(); }
 
-  /// "Weld the cubes together" is not what it is like.
-  bool begins_with_unknown_verb() const {
-    return pieces_->size() > 1 && !pieces_->front().names_things && (*pieces_)[1].names_things &&
-           !lexicon().knows(words_.front());
+  static bool says_where_to(const WordList& meaning) {
+    return std::ranges::any_of(meaning, [](const auto& x) {
+      return is_among(x, {"on", "at", "in", "to", "next", "between", "behind", "beside"});
+    });
+  }
+
+  /// "Weld the cubes together" is not what it is like; "load the cube onto the box" may be.
+  bool has_unknown_verb() const {
+    for (std::size_t i = 0; i + 1 < pieces_->size(); ++i) {
+      const auto& piece = (*pieces_)[i];
+      const bool may_be_verb =
+        i == 0 || is_among((*pieces_)[i - 1].words.back(), {"i", "you", "we"});
+      if (may_be_verb && !piece.names_things && (*pieces_)[i + 1].names_things &&
+          !lexicon().knows(piece.words.front()))
+        return true;
+    }
+    return false;
   }
 
   /// Whether the meaning says all that is said, and no more.
@@ -171,10 +183,17 @@ private:
     return result;
   }
 
-  /// Words that are not known may; those that only say how do not: "gingerly".
-  bool may_name_other_thing(const std::string& word) const {
-    return word != "," && !lexicon().knows(word) && !lexicon().is_in_a_class(word) &&
-           !word.ends_with("ly") && !word.ends_with("ing");
+  /// Words that are not known may; those that only say how do not, "gingerly", and neither do
+  /// verbs: "may I borrow the ball".
+  bool may_name_other_thing() const {
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      const auto& word = words_[i];
+      const bool may_be_verb = i > 0 && is_among(words_[i - 1], {"i", "you", "we"});
+      if (word != "," && !may_be_verb && !lexicon().knows(word) && !lexicon().is_in_a_class(word) &&
+          !word.ends_with("ly") && !word.ends_with("ing"))
+        return true;
+    }
+    return false;
   }
 
   /// "And be quick", that names nothing.

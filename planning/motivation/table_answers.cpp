@@ -175,6 +175,12 @@ TableGoal TableGoalMaker::how_large(bool is_height) const {
     result += (result.empty() ? "" : ", ") + x->words + " is about " + fine_centimetres(size) +
               (is_height ? " high" : " wide");
   }
+  // A cube is as high as it is wide.
+  constexpr double clearly_different = 0.015;
+  if (!is_height && things_.size() == 1)
+    if (const double height = things_.front()->height;
+        height > 0 && std::abs(height - sizes.front()) > clearly_different)
+      result += " and " + fine_centimetres(height) + " high";
   constexpr double same = 0.004;
   if (sizes.size() == 2)
     result += std::abs(sizes[0] - sizes[1]) < same ? ": that is about the same"

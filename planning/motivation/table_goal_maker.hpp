@@ -85,6 +85,7 @@ private:
   std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_on(const Things& landmarks) const;
   std::optional<std::string> beyond_reach(const TableThing& x, const TableThing& other) const;
+  Things without_upper_ones(Things landmarks) const;
   std::optional<TableSpot> spot_nearly_at(const TableThing& x, const TableThing& other) const;
 
   // -- measured places (table_goals_spots.cpp)
@@ -97,6 +98,7 @@ private:
   // -- corners (table_goals_corners.cpp)
   TableGoal put_in_each_corner();
   bool is_corner_reached(const TableThing& x, std::string_view corner) const;
+  std::optional<TableSpot> spot_as_near_to(const TableThing& x, std::string_view part) const;
   std::string corner_for_all() const;
   std::optional<std::string> put_in_opposite_corner(std::string& where);
 

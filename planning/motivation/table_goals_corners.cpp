@@ -32,6 +32,22 @@ std::vector<TablePoint> places_in(const TableThing& thing, std::string_view corn
   return result;
 }
 
+/// At the table's edges.
+/// \param part a corner, or the middle of an edge
+TablePoint outermost_place(const TableThing& thing, std::string_view part) {
+  const double x = table_half_width - thing.radius;
+  const double y = table_half_depth - thing.radius;
+  if (part == "left-edge-middle")
+    return {-x, 0};
+  if (part == "right-edge-middle")
+    return {x, 0};
+  if (part == "front-edge-middle")
+    return {0, -y};
+  if (part == "back-edge-middle")
+    return {0, y};
+  return places_in(thing, part).front();
+}
+
 /// How much it takes to put a thing in a corner, as metres: how far it goes, and how hard that is
 /// where it is easiest. Nothing if it cannot be put there.
 std::optional<double> effort(const TableRoom& room, const TableThing& thing,
@@ -127,6 +143,33 @@ bool TableGoalMaker::is_corner_reached(const TableThing& x, std::string_view cor
     is_known = is_known || !room_.can_be_put(x, at) || (there && *there < *perhaps);
   }
   return !is_known;
+}
+
+/// Of the places at most 18 cm from a corner, or from the middle of an edge, the nearest where the
+/// arm says that it can put the thing; nothing if it says so of none, or of a place in that part.
+/// \param part such as "back-left-corner" or "right-edge-middle"
+std::optional<TableSpot> TableGoalMaker::spot_as_near_to(const TableThing& x,
+                                                         std::string_view part) const {
+  constexpr int most_steps = 6;
+  constexpr double step = 0.03;
+  constexpr double least_gap = 0.01;
+  const auto wanted = outermost_place(x, part);
+  std::vector<TablePoint> places;
+  for (int i = -most_steps; i <= most_steps; ++i)
+    for (int j = -most_steps; j <= most_steps; ++j) {
+      const TablePoint at{wanted.x + i * step, wanted.y + j * step};
+      if (distance(at, wanted) <= most_steps * step && room_.effort(x, at) &&
+          room_.room_around(at, x, {&x}) >= least_gap)
+        places.push_back(at);
+    }
+  std::ranges::sort(places, {}, [&](const TablePoint& at) { return distance(at, wanted); });
+  auto& landings = room_.landings();
+  landings.begin(false);
+  const auto found = std::ranges::find_if(places, [&](const TablePoint& at) {
+    return landings.lands(x, {at.x, at.y});
+  });
+  const bool is_there = found != places.end() && distance(*found, wanted) >= 2 * step;
+  return is_there ? std::optional{spot_for(x, *found)} : std::nullopt;
 }
 
 /// Several things go into one corner: the one nearest to them that is reached, if any is.

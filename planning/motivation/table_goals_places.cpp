@@ -216,16 +216,29 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
   const bool is_in_corner =
     !part.ends_with(corner) ||
     (is_one_corner ? reaches(things_.front()) : std::ranges::all_of(things_, reaches));
-  if (!is_in_corner) {
-    const auto wanted = words_for(part_words, part);
-    part.resize(part.size() - corner.size());
-    if (std::ranges::all_of(things_, [&](const TableThing* x) { return is_in_quarter(*x, part); }))
-      return "The corner is out of reach with " + listed(things_) + ", which" + are(things_) + ' ' +
-             std::string{words_for(part_words, part)} + " already.";
+  const auto wanted = words_for(part_words, part);
+  const auto quarter = is_in_corner ? part : part.substr(0, part.size() - corner.size());
+  if (!is_in_corner &&
+      std::ranges::all_of(things_, [&](const auto* x) { return is_in_quarter(*x, quarter); }))
+    return "The corner is out of reach with " + listed(things_) + ", which" + are(things_) + ' ' +
+           std::string{words_for(part_words, quarter)} + " already.";
+  const bool may_be_beyond = !is_in_corner || part.ends_with("-edge-middle");
+  const auto nearest =
+    may_be_beyond && things_.size() == 1 ? spot_as_near_to(*things_.front(), part) : std::nullopt;
+  if (!nearest && !is_in_corner && room_.landings().most_often_beyond() == things_.front())
+    return "I reach no place near there with " + things_.front()->words +
+           ". Tell me another place.";
+  if (nearest || !is_in_corner) {
     constexpr std::string_view in = "in ";
     where += " as near to " + std::string{wanted.substr(in.size())} + " as I reach";
   } else
-    where += ' ' + std::string{words_for(part_words, part)};
+    where += ' ' + std::string{wanted};
+  if (nearest) {
+    facts_.push_back(at_waypoint(*things_.front(), nearest->name));
+    spots_.push_back(*nearest);
+    return std::nullopt;
+  }
+  part = quarter;
   for (const auto* x : things_)
     if (is_one_corner && x != things_.front()) {
       facts_.push_back("(near " + x->object + ' ' + things_.front()->object + ')');
@@ -250,6 +263,8 @@ std::optional<std::string> TableGoalMaker::put_at_landmarks(const DirectivePlace
     if (std::ranges::find(landmarks, x) != landmarks.end())
       return "I cannot put " + x->words + ' ' + std::string{known->words} + " itself.";
   where += ' ' + std::string{known->words} + ' ' + listed(landmarks);
+  if (known->predicate != "on")
+    landmarks = without_upper_ones(std::move(landmarks));
   places_ += things_.size();
   if (place.relation == "between" && landmarks.size() != 2)
     return "Between two things, but not between " + std::to_string(landmarks.size()) + '.';
@@ -265,6 +280,19 @@ std::optional<std::string> TableGoalMaker::put_at_landmarks(const DirectivePlace
         facts_.push_back(head + ' ' + landmark->object + ')');
   }
   return std::nullopt;
+}
+
+/// What a thing stands on, and not the thing itself, is beside others.
+TableGoalMaker::Things TableGoalMaker::without_upper_ones(Things landmarks) const {
+  Things result;
+  for (const auto* x : landmarks) {
+    const auto below = [&] { return std::ranges::find(table_, x->on, &TableThing::object); };
+    for (auto base = below(); !x->is_held && base != table_.end(); base = below())
+      x = &*base;
+    if (std::ranges::find(result, x) == result.end())
+      result.push_back(x);
+  }
+  return result;
 }
 
 /// Why it cannot be put in the place of another thing.
