@@ -150,6 +150,9 @@ bool TableGoalMaker::is_corner_reached(const TableThing& x, std::string_view cor
 /// \param part such as "back-left-corner" or "right-edge-middle"
 std::optional<TableSpot> TableGoalMaker::spot_as_near_to(const TableThing& x,
                                                          std::string_view part) const {
+  auto& landings = room_.landings();
+  if (!landings.has_arm())
+    return std::nullopt;
   constexpr int most_steps = 6;
   constexpr double step = 0.03;
   constexpr double least_gap = 0.01;
@@ -163,7 +166,6 @@ std::optional<TableSpot> TableGoalMaker::spot_as_near_to(const TableThing& x,
         places.push_back(at);
     }
   std::ranges::sort(places, {}, [&](const TablePoint& at) { return distance(at, wanted); });
-  auto& landings = room_.landings();
   landings.begin(false);
   const auto found = std::ranges::find_if(places, [&](const TablePoint& at) {
     return landings.lands(x, {at.x, at.y});

@@ -16,6 +16,8 @@ public:
   /// \param ask may be empty: then things can be put anywhere
   explicit TableLandings(TableLanding ask = {}) : ask_(std::move(ask)) {}
 
+  bool has_arm() const { return static_cast<bool>(ask_); }
+
   /// Begins to ask for places of another arrangement.
   /// \param may_put_between whether things may be put down on their way there; as that takes longer
   /// to find out, fewer places are asked for

@@ -94,6 +94,37 @@ TEST(TableGoals, ACornerThatIsNotReachedIsAQuarterOfTheTable) {
             "The corner is out of reach with the blue ball, which is at the back right already.");
 }
 
+/// The reach says where things can be put at all, the arm itself where it can put this one.
+TEST(TableGoals, WhatTheArmCannotPutAtAnEdgeIsPutAsNearAsItCan) {
+  const auto landing = [](double farthest) -> TableLanding {
+    return [farthest](const TableThing&, const std::vector<spatial::GroundPoint>& points, bool) {
+      std::vector<spatial::Reach> result;
+      for (const auto& at : points)
+        result.push_back(at.y < farthest ? spatial::Reach::direct : spatial::Reach::none);
+      return result;
+    };
+  };
+  const DirectiveStep back{"Put", {"p/b"}, 0, {{"back-edge", {}}, {"centre", {}}}, {}};
+  const auto goal = goal_of(back, table, reach_in_box, {}, landing(0.13));
+  EXPECT_EQ(goal.words, "put the blue ball as near to the middle of the back edge as I reach");
+  EXPECT_EQ(goal.formula, "(and (= (pos b) spot-of-b))");
+  ASSERT_EQ(goal.spots.size(), 1U);
+  EXPECT_LT(goal.spots.front().y, 0.13);
+  EXPECT_GT(goal.spots.front().y, 0.09);
+  EXPECT_NEAR(goal.spots.front().x, 0, 0.04);
+  EXPECT_EQ(goal_of(back, table, reach_in_box, {}, landing(1)).formula,
+            "(and (in-part b back-edge-middle))");
+}
+
+TEST(TableGoals, WhatStandsOnAnotherIsBesideNothing) {
+  auto stacked = table;
+  for (auto& x : stacked)
+    if (x.object == "a")
+      x.on = "c";
+  EXPECT_EQ(goal_of({"Put", {"p/b"}, 0, {{"left", {"p/a", "p/c"}}}, {}}, stacked).formula,
+            "(and (left-of b c))");
+}
+
 TEST(TableGoals, WhatIsSwappedHasToFitWhereTheOtherIs) {
   const auto not_there = [](const TableThing& x, const TableThing&) -> std::optional<std::string> {
     return x.object == "b" ? "the gripper is too wide for it there" : "";
