@@ -126,7 +126,7 @@ bool is_remark(const WordList& words, const Lexicon& lexicon) {
 /// something for a thing by it: "I want it on the right".
 bool is_about_people(const WordList& words, Parser& parser) {
   if (words.size() < 3 || !is_among(words[0], {"i", "we", "he", "she", "they", "my", "our", "his",
-                                               "her", "someone", "somebody"}))
+                                               "her", "someone", "somebody", "something"}))
     return false;
   const auto is_wish = [&](std::size_t i) {
     return is_among(words[i], {"want", "need", "like", "prefer", "love"}) && i + 1 < words.size() &&
@@ -243,7 +243,18 @@ std::vector<std::string> without_reasons(const WordList& words, const Lexicon& l
 }
 
 std::optional<PackedLogicalForm> parsed_prohibition_alone(Parser& parser, const WordList& words) {
-  const auto pieces = pieces_of(words);
+  auto pieces = pieces_of(words);
+  // Who is to check something first may also lift it.
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto until = std::ranges::find_if(pieces[i], [](const auto& x) {
+      return is_among(x, {"until", "till"});
+    });
+    if (until == pieces[i].begin() || until == pieces[i].end())
+      continue;
+    WordList rest{until, pieces[i].end()};
+    pieces[i].erase(until, pieces[i].end());
+    pieces.insert(pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(rest));
+  }
   if (pieces.size() < 2)
     return std::nullopt;
   for (const auto& piece : pieces) {

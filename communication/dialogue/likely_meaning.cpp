@@ -104,8 +104,10 @@ public:
     auto found = *matches_;
     const bool asks = may_begin_question(words_.front());
     // "Can you put the ball on the left" does not ask whether it is there.
-    if (!asks &&
-        std::ranges::any_of(words_, [&](const auto& x) { return is_handling_verb(x, lexicon()); }))
+    const bool is_request =
+      words_.front() == "please" ||
+      std::ranges::any_of(words_, [&](const auto& x) { return is_handling_verb(x, lexicon()); });
+    if (!asks && is_request)
       std::erase_if(found, [](const auto& x) { return may_begin_question(x.meaning.front()); });
     for (std::size_t i = 0; i < found.size(); ++i) {
       const auto& meaning = found[i].meaning;

@@ -6,6 +6,7 @@
 #include "castor/communication/dialogue/function_words.hpp"
 #include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/dialogue/thing_names.hpp"
+#include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/pauses.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
@@ -30,6 +31,8 @@ std::optional<PackedLogicalForm> parsed_otherwise(Parser& parser, const WordList
   if (auto result = parsed_without_asides(parser, words))
     return result;
   if (auto result = parsed_request_alone(parser, words))
+    return result;
+  if (auto result = parsed_prohibition_alone(parser, words))
     return result;
   // "Stick blue on red" does not ask whether a stick is on it; "the cube is it on the ball" asks.
   const bool says_what_is_so = std::ranges::any_of(words, [](const auto& word) {
@@ -85,13 +88,16 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
     return result;
   if (is_understood(form))
     return std::nullopt;
+  const auto whole = with_articles(parser, words);
+  if (auto result = whole ? parser.parse_whole(*whole) : std::nullopt;
+      result && asks_for_handling(*result, parser.lexicon()))
+    return result;
   if (auto result = parsed_otherwise(parser, words, form))
     return result;
   if (auto other = paraphrased(words, parser.lexicon(), false))
     if (auto result = parsed_paraphrase(parser, std::move(*other)))
       return result;
-  auto other = with_articles(parser, words);
-  return other ? parsed_paraphrase(parser, std::move(*other)) : std::nullopt;
+  return whole ? parsed_paraphrase(parser, *whole) : std::nullopt;
 }
 
 } // namespace castor::communication

@@ -4,6 +4,7 @@
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
+#include "castor/communication/parsing/english_words.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
 
@@ -69,7 +70,7 @@ public:
     if (words_.size() < 3 || may_ask(words_.front()) || std::ranges::any_of(words_, decides))
       return std::nullopt;
     find_phrases();
-    if (things_ == 0 || !is_rest_empty())
+    if (things_ == 0 || !is_rest_empty() || begins_with_other_verb())
       return std::nullopt;
     for (const auto& verb : verbs())
       for (const bool with_pronouns : {true, false})
@@ -163,6 +164,18 @@ private:
         return true;
     }
     return false;
+  }
+
+  /// "Measure the voltage of the cube for me" asks for nothing that is done with a cube.
+  bool begins_with_other_verb() const {
+    return !left_out_.empty() && left_out_.front() == words_.front() &&
+           !lexicon().is_in(WordClass::aside, words_.front()) &&
+           !lexicon().is_in(WordClass::frame, words_.front()) &&
+           std::ranges::any_of(left_out_,
+                               [&](const auto& x) {
+                                 return x != "," && is_english_word(x) && !lexicon().knows(x);
+                               }) &&
+           std::ranges::find(phrases_, Kind::place, &Phrase::kind) == phrases_.end();
   }
 
   /// Whether nothing that is left out says something of a thing or a place.

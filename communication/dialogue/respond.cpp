@@ -105,11 +105,12 @@ const Nominal* moved_thing(const LogicalForm& form) {
   return is_moved ? dependent(form, *root, "Patient") : nullptr;
 }
 
-/// Whether a phrase, perhaps with where the thing is, means one thing.
-bool means_one_thing(const LogicalForm& form, const Nominal& phrase, const Antecedents& antecedents,
-                     SceneKnowledge& scene) {
+/// Whether a phrase, perhaps with where the things are, means one thing, or several as it says.
+bool is_clear(const LogicalForm& form, const Nominal& phrase, const Antecedents& antecedents,
+              SceneKnowledge& scene) {
   try {
-    return Evaluation{form, antecedents, scene}.meant(phrase).size() == 1;
+    const auto meant = Evaluation{form, antecedents, scene}.meant(phrase);
+    return is_plural(phrase) ? !meant.empty() : meant.size() == 1;
   } catch (const Uninterpretable&) {
     return false;
   }
@@ -136,6 +137,9 @@ std::vector<std::size_t> readings_by_likelihood(const DialogueMove& move,
   const auto* thing = moved_thing(move.content);
   if (thing == nullptr || !is_definite(*thing))
     return result;
+  // "The two cubes at the front" may be those that are there.
+  if (is_plural(*thing) && is_clear(move.content, *thing, antecedents, scene))
+    return result;
   const bool says_where_it_is = dependent(move.content, *thing, "Location") != nullptr;
   const auto is_likelier = [&](std::size_t reading) {
     const auto& content = content_of(move, reading);
@@ -147,7 +151,7 @@ std::vector<std::size_t> readings_by_likelihood(const DialogueMove& move,
     return other != nullptr && other->proposition == thing->proposition &&
            (dependent(content, *other, "Location") == nullptr) == says_where_it_is &&
            !(says_where_it_is && has_opposite_places(content)) &&
-           means_one_thing(content, *other, antecedents, scene);
+           is_clear(content, *other, antecedents, scene);
   };
   if (const auto found = std::ranges::find_if(result, is_likelier); found != result.end())
     std::rotate(result.begin(), found, std::next(found));

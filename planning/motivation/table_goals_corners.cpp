@@ -166,6 +166,11 @@ std::optional<TableSpot> TableGoalMaker::spot_as_near_to(const TableThing& x,
         places.push_back(at);
     }
   std::ranges::sort(places, {}, [&](const TablePoint& at) { return distance(at, wanted); });
+  // In that part, perhaps with a stop on the way.
+  landings.begin(true);
+  for (const auto& at : places)
+    if (distance(at, wanted) < 2 * step && landings.lands(x, {at.x, at.y}))
+      return std::nullopt;
   landings.begin(false);
   const auto found = std::ranges::find_if(places, [&](const TablePoint& at) {
     return landings.lands(x, {at.x, at.y});
