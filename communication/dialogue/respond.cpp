@@ -145,7 +145,7 @@ std::vector<std::size_t> readings_by_likelihood(const DialogueMove& move,
     const auto& content = content_of(move, reading);
     const auto* root = find_nominal(content, content.root);
     const auto* other = says_where_it_is ? moved_thing(content)
-                        : root->sort == "action" && root->proposition == "take"
+                        : root != nullptr && root->sort == "action" && root->proposition == "take"
                           ? dependent(content, *root, "Patient")
                           : nullptr;
     return other != nullptr && other->proposition == thing->proposition &&

@@ -146,8 +146,8 @@ Response Responder::about(const Nominal& asked) {
   const bool is_about_order =
     scope != nullptr &&
     (scope->sort == "selection" || dependent(form_, *scope, "Selection") != nullptr);
-  const bool is_tie =
-    is_about_order && found.possible.size() > 1 && !evaluation_.described(asked).certain.empty();
+  const bool is_tie = is_about_order && found.possible.size() > 1 &&
+                      (asked.proposition == "one" || !evaluation_.described(asked).certain.empty());
   if (found.certain.empty() && !found.possible.empty() && !is_tie)
     return answer(i_do_not_know());
   return list(found.certain.empty() ? found.possible : found.certain);

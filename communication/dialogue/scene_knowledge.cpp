@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace castor::communication {
@@ -296,6 +297,19 @@ const std::vector<std::string>& SceneKnowledge::containers(const std::string& un
   return found == containers_.end() ? nothing : found->second;
 }
 
+namespace {
+
+/// How far something that is dx to the right of a landmark and dy behind it is in a direction.
+double length_along(std::string_view relation, double dx, double dy) {
+  if (relation == "left" || relation == "right")
+    return relation == "left" ? -dx : dx;
+  if (relation == "front" || relation == "back")
+    return relation == "front" ? -dy : dy;
+  return 0;
+}
+
+} // namespace
+
 std::vector<SpatialFact> SceneKnowledge::spatial_facts(const std::string& union_id) const {
   std::vector<SpatialFact> result;
   for (auto& x : relations_) {
@@ -308,8 +322,14 @@ std::vector<SpatialFact> SceneKnowledge::spatial_facts(const std::string& union_
       fact.distance = std::hypot(here->x - there->x, here->y - there->y);
     result.push_back(std::move(fact));
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](auto& a, auto& b) { return a.distance < b.distance; });
+  const auto here = place_in_view(union_id);
+  const auto along = [&](const SpatialFact& x) {
+    const auto there = place_in_view(x.landmark);
+    return here && there ? length_along(x.relation, here->x - there->x, here->y - there->y) : 0;
+  };
+  std::ranges::stable_sort(result, [&](const SpatialFact& a, const SpatialFact& b) {
+    return a.distance != b.distance ? a.distance < b.distance : along(a) > along(b);
+  });
   return result;
 }
 

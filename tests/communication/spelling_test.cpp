@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/spelling.hpp"
 
 #include "castor/communication/lexicon/english_lexicon.hpp"
+#include "castor/communication/parsing/english_words.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 
 #include <gmock/gmock.h>
@@ -30,6 +31,15 @@ TEST(Spelling, WordsALetterOffAreCorrected) {
 TEST(Spelling, AWordThatNothingIsLikeStaysAndOthersAreCorrected) {
   EXPECT_THAT(corrected("xyzzyq, wher is the bal"),
               ElementsAre("xyzzyq", ",", "where", "is", "the", "ball"));
+}
+
+TEST(Spelling, WhatIsSpeltRightlyIsNoOtherWord) {
+  if (!is_english_word("port"))
+    GTEST_SKIP() << "wamerican-small is not installed";
+  EXPECT_THAT(corrected("clear the decks to port"),
+              ElementsAre("clear", "the", "decks", "to", "port"));
+  // Another form of a word, and what things are called by.
+  EXPECT_THAT(corrected("it puts the cub there"), ElementsAre("it", "put", "the", "cube", "there"));
 }
 
 TEST(Spelling, LettersThatMakeAWordLongAreLeftOut) {
