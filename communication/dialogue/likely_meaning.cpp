@@ -78,6 +78,10 @@ bool is_function_word(std::string_view word) {
                          "get", "be",  "have", "put",  "move",  "place", "along", "please"});
 }
 
+bool may_precede_verb(std::string_view word) {
+  return is_among(word, {"i", "you", "we"});
+}
+
 /// What any thing may be called.
 bool is_general_name(std::string_view word) {
   return is_among(word, {"thing", "things", "object", "objects", "item", "items", "one", "ones",
@@ -156,8 +160,7 @@ private:
   bool has_unknown_verb() const {
     for (std::size_t i = 0; i + 1 < pieces_->size(); ++i) {
       const auto& piece = (*pieces_)[i];
-      const bool may_be_verb =
-        i == 0 || is_among((*pieces_)[i - 1].words.back(), {"i", "you", "we"});
+      const bool may_be_verb = i == 0 || may_precede_verb((*pieces_)[i - 1].words.back());
       if (may_be_verb && !piece.names_things && (*pieces_)[i + 1].names_things &&
           !lexicon().knows(piece.words.front()))
         return true;
@@ -190,7 +193,7 @@ private:
   bool may_name_other_thing() const {
     for (std::size_t i = 0; i < words_.size(); ++i) {
       const auto& word = words_[i];
-      const bool may_be_verb = i > 0 && is_among(words_[i - 1], {"i", "you", "we"});
+      const bool may_be_verb = i > 0 && may_precede_verb(words_[i - 1]);
       if (word != "," && !may_be_verb && !lexicon().knows(word) && !lexicon().is_in_a_class(word) &&
           !word.ends_with("ly") && !word.ends_with("ing"))
         return true;

@@ -418,8 +418,6 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
   PartSearch search{parser, words};
   if (auto result = search.run())
     return result;
-  if (auto result = parsed_prohibition_alone(parser, words))
-    return result;
   LikelyMeaning meaning{parser, words};
   if (auto result = meaning.likely())
     return result;
