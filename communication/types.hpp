@@ -176,6 +176,8 @@ struct PackedLogicalForm {
   std::vector<SpellingCorrection> corrections;
   /// If only a request in the utterance is understood, which the form is of.
   std::optional<PartialRequest> partial = {};
+  /// The thing that it names, if it is a remark or not understood: "it" may stand for that next.
+  std::optional<LogicalForm> mention = {};
 
   friend bool operator==(const PackedLogicalForm&, const PackedLogicalForm&) = default;
 };
@@ -235,6 +237,8 @@ struct DialogueMove {
   /// If it is a directive that is only done if the speaker agrees, since the rest of the utterance
   /// is not understood.
   std::optional<PartialRequest> partial = {};
+  /// The thing that it names, if it is a remark or not understood.
+  std::optional<LogicalForm> mention = {};
 };
 
 /// Somebody points at a place on the table: what "this" and "the cube here" are about, until
@@ -422,14 +426,14 @@ CASTOR_REFLECT(SpellingCorrection, word, meant)
 CASTOR_REFLECT(PartialRequest, left_out, words, lacks_place)
 CASTOR_REFLECT_ENUM(InterpretationState, unfinished, finished, pruned)
 CASTOR_REFLECT(PackedLogicalForm, utterance, text, turn, string_position, state, readings, roots,
-               nominals, unparsable, corrections, partial)
+               nominals, unparsable, corrections, partial, mention)
 CASTOR_REFLECT(InterpretationSupport, head, mode, dependent, supported)
 CASTOR_REFLECT_ENUM(DialogueMoveType, none, assertion, action_directive, question_w, question_yn,
                     opening, closing, accept, reject, small_talk)
 CASTOR_REFLECT(ContextSource, component)
 CASTOR_REFLECT(ContextInfo, form, supports)
 CASTOR_REFLECT(DialogueMove, type, content, alternatives, corrections, turn, problem, utterance,
-               action, partial)
+               action, partial, mention)
 CASTOR_REFLECT(Pointing, x, y, time, held)
 CASTOR_REFLECT(PointingUse, pointing, version, taken_up)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)

@@ -7,6 +7,8 @@ Results are JSON: {"rows": {ROW: {LINE: {LABEL: [sample of each round]}}}, ...}.
 import statistics
 from dataclasses import dataclass
 
+from rows import CASTOR
+
 # Changes below this share are never called changes: code that is laid out otherwise makes as much.
 LEAST_CHANGE = 0.03
 # Of fewer samples, spread says nothing.
@@ -70,7 +72,8 @@ def verdict(aim, row, results):
     figure = figure_at(results, row.name, aim.point)
     if figure is None:
         return None
-    what = aim.point[1]
+    line, label = aim.point
+    what = label if line == CASTOR else f"{line}, {label}"
     if aim.kind == "at least that of":
         other = figure_at(results, row.name, aim.other)
         if other is None:
@@ -88,7 +91,9 @@ def _verdict_of_fall(aim, row, results):
     if len(figures) < 2:
         return None
     wanted = figures[0] * (1 - aim.value)
-    return Verdict("does not fall as more are added", min(figures[1:]) / wanted)
+    line = aim.point[0]
+    what = "" if line == CASTOR else f"{line}: "
+    return Verdict(what + "does not fall as more are added", min(figures[1:]) / wanted)
 
 
 @dataclass(frozen=True)

@@ -83,9 +83,12 @@ COMPONENTS = (1, 2, 4, 8, 16)
 LISTENERS = (1, 4, 16, 64)
 # Those that are CallbackComponents.
 POOLED = ", without threads"
-NODES = (2, 5, 10, 20)
+NODES = (2, 5, 10, 20, 30, 100)
 IDLE_COMPONENTS = (1000, 3000)
 IDLE_SECONDS = 4
+# Ends of links where nothing is awaited say every 20 s that they are there.
+IDLE_MESH_SECONDS = 20
+ENTRY_OPERATIONS = ("add", "read", "delete")
 ENTRIES = ((100_000, "100 k entries"), (1_000_000, "1 M entries"))
 KB, MB = 1024, 1024 * 1024
 
@@ -162,7 +165,8 @@ def _link_rows():
         "link-writes", "Overwrites in another process, one at a time",
         "100 B, on the loopback device, each acknowledged before the next: overwrites of an entry, requests to an "
         "actor, SETs, and samples that the other process acknowledges with a sample.", "overwrites/s",
-        _contenders(_link_writes(100, 1, "100 B")))
+        _contenders(_link_writes(100, 1, "100 B")),
+        aims=tuple(Aim("at least that of", (CASTOR, "100 B"), other=(peer, "100 B")) for peer in (BARE, REDIS)))
     yield Row(
         "link-pipelined", "Overwrites in another process, many in flight",
         "100 B, with 64 of them not yet acknowledged; Redis: pipelines of 16 SETs.", "overwrites/s",
@@ -189,16 +193,18 @@ def _link_rows():
         "bytes that come over the link for each of them.", "KB/reader",
         (_line(CASTOR, [
             Point(_counted(n, "reader"), _castor("link_readers", readers=n, bytes=64 * KB), "bytes", 1 / KB)
-            for n in (1, 2, 4, 8)]),), higher_is_better=False)
+            for n in (1, 2, 4, 8)]),), higher_is_better=False,
+        # Once for each version, whoever reads it.
+        aims=(Aim("at most", (CASTOR, "8 readers"), 64 / 8 * 1.05),))
 
 
 def _idle_rows():
-    mesh = [(_counted(n, "node"), _castor("idle_mesh", IDLE_SECONDS, nodes=n)) for n in NODES]
+    mesh = [(_counted(n, "node"), _castor("idle_mesh", IDLE_MESH_SECONDS, nodes=n)) for n in NODES]
     yield Row(
         "idle-mesh-cpu", "A mesh in which nothing happens: processor",
         "Nodes, each a process with a working memory and a component, and their coordinator; all together.",
         "% of a core", (_line(CASTOR, [Point(label, x, "cpu") for label, x in mesh]),), higher_is_better=False,
-        slow=True)
+        slow=True, aims=(Aim("at most", (CASTOR, "100 nodes"), 5.0),))
     yield Row(
         "idle-mesh-memory", "A mesh in which nothing happens: memory",
         "Of each node: its own memory, and its share of what it has in common with others (PSS), the coordinator's "
@@ -208,13 +214,16 @@ def _idle_rows():
                     for n in counts]
             for title, name, counts in ((CASTOR, "Idler", IDLE_COMPONENTS),
                                         (CASTOR + POOLED, "PooledIdler", IDLE_COMPONENTS + (10_000,)))}
-    for figure, title, unit, factor in (("cpu", "processor", "% of a core", 1), ("start", "time to start", "s", 1),
-                                        ("memory", "memory", "KB/component", 1 / KB)):
+    rests = (Aim("at most", (CASTOR, _counted(IDLE_COMPONENTS[-1], "component")), 0.1),
+             Aim("at most", (CASTOR + POOLED, "10,000 components"), 0.1))
+    for figure, title, unit, factor, aims in (
+            ("cpu", "processor", "% of a core", 1, rests), ("start", "time to start", "s", 1, ()),
+            ("memory", "memory", "KB/component", 1 / KB, ())):
         yield Row(
             "idle-components-" + figure, "Components for which there is nothing to do: " + title,
             "Components of one process, each with a filter, and with a thread of its own or, as CallbackComponents, none.",
             unit, tuple(_line(title, [Point(label, x, figure, factor) for label, x in points])
-                        for title, points in idle.items()), higher_is_better=False, slow=True)
+                        for title, points in idle.items()), higher_is_better=False, slow=True, aims=aims)
 
 
 def _entry_rows():
@@ -225,12 +234,15 @@ def _entry_rows():
         "B/entry", tuple(_line(name, [Point(label, x, figure) for label, x in runs])
                          for name, figure in (("while they exist", "bytes"), ("after their deletion", "left"))),
         higher_is_better=False, slow=True,
-        aims=tuple(Aim("at most", ("while they exist", label), 300) for _, label in ENTRIES))
+        # What is left is to be less than a tenth of what they took.
+        aims=tuple(Aim("at most", (line, label), value) for line, value in (("while they exist", 300),
+                                                                            ("after their deletion", 45))
+                   for _, label in ENTRIES))
     yield Row(
         "entry-rates", "Operations among many entries",
         "Each of so many entries of 100 B is added, then read, then deleted, by one component.", "per second",
-        tuple(_line(name, [Point(label, x, name) for label, x in runs]) for name in ("add", "read", "delete")),
-        slow=True)
+        tuple(_line(name, [Point(label, x, name) for label, x in runs]) for name in ENTRY_OPERATIONS),
+        slow=True, aims=tuple(Aim("does not fall", (name, ""), 0.05) for name in ENTRY_OPERATIONS))
 
 
 def _journal_row():
@@ -245,10 +257,13 @@ def _journal_row():
         "appendfsync always, and rows in transactions of as many as are in flight together.", "writes/s",
         (_line(CASTOR, [point("castor", *x) for x in cases]),
          _line(REDIS, [point("redis", *x, measurement="link_writes", durable=1) for x in cases]),
-         _line(SQLITE, [point("sqlite", *x) for x in cases])))
+         _line(SQLITE, [point("sqlite", *x) for x in cases])),
+        aims=tuple(Aim("at least that of", (CASTOR, point("castor", *x).label), other=(REDIS, point("redis", *x).label))
+                   for x in cases))
 
 
 ROWS = (*_local_rows(), *_link_rows(), *_idle_rows(), *_entry_rows(), _journal_row(), Row(
     "vision-start", "Start of vision",
     "From the start of `castor run configs/vision.cast` until its first picture is processed.", "s",
-    (_line(CASTOR, [Point("vision.cast", run("vision", "start"), "seconds")]),), higher_is_better=False, slow=True))
+    (_line(CASTOR, [Point("vision.cast", run("vision", "start"), "seconds")]),), higher_is_better=False, slow=True,
+    aims=(Aim("at most", (CASTOR, "vision.cast"), 0.08),)))

@@ -43,6 +43,7 @@ class DialogueInterpreter final : public UsesLexicon<UnmanagedComponent> {
     move.utterance = form.utterance;
     move.corrections = form.corrections;
     move.partial = form.partial;
+    move.mention = form.mention;
     if (!is_understood(form))
       move.problem = problem_of(form, lexicon()->meanings());
     else

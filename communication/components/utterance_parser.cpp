@@ -1,6 +1,7 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/communication/components/uses_lexicon.hpp"
+#include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/dialogue/partial_requests.hpp"
 #include "castor/communication/dialogue/reparsing.hpp"
 #include "castor/communication/parsing/packing.hpp"
@@ -93,11 +94,13 @@ class UtteranceParser final : public UsesLexicon<UnmanagedComponent> {
     auto form = parse.form();
     if (auto other = reparsed(*parser_, words, form))
       form = std::move(*other);
-    else if (!is_understood(form))
+    else if (!is_understood(form)) {
       if (auto part = partly_understood(*parser_, said, words, corrections)) {
         form = std::move(*part);
         corrections.clear();
-      }
+      } else
+        form.mention = LikelyMeaning{*parser_, said}.mention();
+    }
     form.corrections.insert(form.corrections.begin(), corrections.begin(), corrections.end());
     return tell(address, std::move(form), *utterance);
   }

@@ -69,11 +69,13 @@ bool is_clear_request(const PackedLogicalForm& form, bool is_after) {
   });
 }
 
-std::optional<PackedLogicalForm> clear_request(Parser& parser, WordList words,
+std::optional<PackedLogicalForm> clear_request(Parser& parser, const WordList& words,
                                                const WordList& left_out, bool is_after) {
   if (words.empty() || left_out.empty())
     return std::nullopt;
-  auto form = parser.parse_whole(std::move(words));
+  auto form = parser.parse_whole(words);
+  if (!form)
+    form = LikelyMeaning{parser, words}.likely();
   if (!form || !is_clear_request(*form, is_after))
     return std::nullopt;
   form->corrections.push_back({text_of(left_out), {}});
@@ -190,7 +192,8 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
   for (const auto& x : pieces_of(words)) {
     const bool is_aside_piece = is_remark(x, parser.lexicon()) || is_about_people(x, parser) ||
                                 says_purpose(x) || is_comparison(x, parser.lexicon()) ||
-                                (request.empty() && is_purpose_before(x, parser));
+                                (request.empty() && is_purpose_before(x, parser)) ||
+                                LikelyMeaning{parser, x}.is_remark();
     if (request.empty() && left_out.empty())
       begins_with_remark = is_aside_piece;
     const bool is_left_out = is_alternative || is_aside_piece;
@@ -200,7 +203,7 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
       to.emplace_back(",");
     to.insert(to.end(), x.begin(), x.end());
   }
-  return clear_request(parser, std::move(request), left_out, begins_with_remark);
+  return clear_request(parser, request, left_out, begins_with_remark);
 }
 
 /// Adverbs that are not known.
@@ -213,7 +216,7 @@ std::optional<PackedLogicalForm> without_manner(Parser& parser, const WordList& 
       word.ends_with("ly") && !lexicon.knows(word) && !lexicon.is_in(WordClass::decisive, word);
     (is_manner ? left_out : known).push_back(word);
   }
-  return clear_request(parser, std::move(known), left_out, false);
+  return clear_request(parser, known, left_out, false);
 }
 
 } // namespace

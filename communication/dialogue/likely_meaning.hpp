@@ -25,6 +25,12 @@ public:
   /// speaker agrees.
   std::optional<PackedLogicalForm> possible();
 
+  /// Whether it is like remarks, which ask for nothing: "I need somewhere to roll my dough".
+  bool is_remark();
+
+  /// The phrase that names things, if there is one only, and no pronoun.
+  std::optional<LogicalForm> mention();
+
 private:
   class Search;
   std::unique_ptr<Search> search_;

@@ -391,6 +391,14 @@ std::optional<PackedLogicalForm> agreement_in(Parser& parser, const WordList& wo
   return lexicon.is_in(WordClass::refusal, said) ? parser.parse_whole({"no"}) : std::nullopt;
 }
 
+/// It is said back that it is left out.
+std::optional<PackedLogicalForm> parsed_remark(Parser& parser, const WordList& words) {
+  auto result = parser.parse_whole({"that", "is", "a", "remark"});
+  if (result)
+    result->corrections.push_back({written(words), {}});
+  return result;
+}
+
 /// "It is a little far away", "I should like to put my paper there": asks for nothing.
 std::optional<PackedLogicalForm> remark_in(Parser& parser, const WordList& words) {
   const bool is_statement =
@@ -402,10 +410,7 @@ std::optional<PackedLogicalForm> remark_in(Parser& parser, const WordList& words
   if (!is_statement || (may_be_wish && words.front() != "it") || words[1] == "must" ||
       (words.front() == "it" && is_among(words[1], {"should", "has", "needs"})))
     return std::nullopt;
-  auto result = parser.parse_whole({"that", "is", "a", "remark"});
-  if (result)
-    result->corrections.push_back({written(words), {}});
-  return result;
+  return parsed_remark(parser, words);
 }
 
 } // namespace
@@ -427,7 +432,12 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
     return result;
   if (auto result = search.without_place())
     return result;
-  return remark_in(parser, words);
+  if (auto result = remark_in(parser, words))
+    return result;
+  auto result = meaning.is_remark() ? parsed_remark(parser, words) : std::nullopt;
+  if (result)
+    result->mention = meaning.mention();
+  return result;
 }
 
 std::optional<PackedLogicalForm>

@@ -5,6 +5,7 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace castor::communication {
@@ -16,7 +17,7 @@ using Proxies = std::vector<std::string>;
 /// Whether the robot had to ask what is meant: whoever does not answer that speaks of no other
 /// thing that was spoken of before.
 bool is_open(const MoveReferents& move) {
-  return !move.understood ||
+  return (!move.understood && move.referents.empty()) ||
          (move.is_unclear && std::ranges::any_of(move.referents, [](const DiscourseReferent& x) {
             return x.proxies.empty();
           }));
@@ -28,8 +29,11 @@ std::vector<const MoveReferents*> recent(std::span<const MoveReferents> history)
   for (auto& move : history)
     result.push_back(&move);
   std::ranges::stable_sort(result, std::ranges::greater{}, &MoveReferents::turn);
-  auto end = std::ranges::find_if(result, [](const auto* x) { return is_open(*x); });
-  result.erase(end, result.end());
+  const auto last =
+    std::ranges::find_if(result, [](const auto* x) { return !x->understood || is_open(*x); });
+  // What is not understood may name something.
+  const bool names_something = last != result.end() && !is_open(**last);
+  result.erase(last + (names_something ? 1 : 0), result.end());
   return result;
 }
 
@@ -227,6 +231,11 @@ std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
     } catch (const Uninterpretable&) {
       add(*thing, {}, is_plural(*thing));
     }
+  }
+  if (move.mention) {
+    DialogueMove named;
+    named.content = *move.mention;
+    std::ranges::move(referents_of(named, {}, scene), std::back_inserter(result));
   }
   return result;
 }

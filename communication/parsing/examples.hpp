@@ -1,22 +1,15 @@
 #pragma once
 
-#include <bitset>
+#include "castor/communication/parsing/example_features.hpp"
+
 #include <cstddef>
-#include <map>
-#include <set>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace castor::communication {
-
-/// A word of an utterance, or several that name things.
-struct ExamplePiece {
-  std::vector<std::string> words;
-  bool names_things = false;
-};
 
 /// Sentences that people say, each with what it means in words of the grammar:
 ///
@@ -24,11 +17,13 @@ struct ExamplePiece {
 ///       X belongs on Y's left      sentences that mean it
 ///
 /// X, Y and Z stand for words that name things, "left" and "right" for each other on both sides,
-/// and a number for another number.
+/// and a number for another number. Sentences of a meaning without them may name any things: those
+/// of "that is a remark" ask for nothing.
 ///
-/// What an utterance is most like is found by its words, its pairs of neighbours and its pairs with
-/// one word between, which weigh the more, the fewer meanings have them in their sentences (cosine
-/// of the weighted vectors; words by their stems).
+/// What an utterance means is learned from the examples (LinearClassifier) by its words, its pairs
+/// of neighbours and its pairs with one word between, words by their stems. How like it is to the
+/// examples of a meaning is the cosine of vectors of the same, which weigh the more, the fewer
+/// meanings have them.
 class Examples {
 public:
   struct Match {
@@ -37,16 +32,27 @@ public:
     /// 1 if sentences of this meaning are the same as the utterance, 0 if they have nothing in
     /// common with it.
     double likeness = 0;
+    /// By the classifier's scores: twice that of this meaning, less that of the likeliest other.
+    double certainty = 0;
   };
+
+  Examples();
 
   /// \throws std::invalid_argument what is wrong with them
   void add(std::string_view meaning, std::string_view sentence);
 
-  /// Weighs words by how many meanings have them; to be called after the last one is added.
-  void weigh();
+  /// Learns from the examples now, so that the first answer does not have to wait for that: some
+  /// tenths of a second for those of the lexicon.
+  void learn() const;
 
-  /// The nearest first, each meaning once.
-  std::vector<Match> nearest(std::span<const ExamplePiece> said, std::size_t most) const;
+  /// The most certain first, each meaning once.
+  std::vector<Match> likeliest(std::span<const ExamplePiece> said, std::size_t most) const;
+
+  /// As in Match; 0 if there are no examples of this meaning.
+  double certainty_of(std::string_view meaning, std::span<const ExamplePiece> said) const;
+
+  /// Whether any sentence has this word.
+  bool has_word(const std::string& word) const;
 
   /// Whether sentences of several meanings have this word: it is none that only names things.
   bool has_common_word(const std::string& word) const;
@@ -56,50 +62,21 @@ public:
 private:
   using Words = std::vector<std::string>;
 
-  /// How often something is said, by what is said.
-  using Counts = std::map<std::string, double>;
-
-  /// A bit for each of a list of words.
-  using Decisive = std::bitset<128>;
-
-  /// What examples and utterances are compared by.
-  struct Said {
-    Counts counts;
-    /// Which of the words are said that make another request or question of it: "not", "left".
-    Decisive decisive;
-    std::size_t things = 0;
-    std::size_t numbers = 0;
-    /// The first of "left" and "right"; empty if there is none.
-    std::string side;
-  };
-
   struct Example {
     std::size_t meaning = 0;
-    Said said;
-    /// The slots, in the order in which they are said.
-    Words slots;
-    /// Whether its meaning says "left" or "right".
-    bool has_side = false;
+    std::string sentence;
   };
 
-  /// Of an example: how much of its direction is along this feature.
-  struct Share {
-    std::size_t example = 0;
-    double weight = 0;
-  };
+  /// What is learned from all of them, once it is asked for.
+  class Learned;
 
-  static Said said_in(std::span<const ExamplePiece> pieces);
-  double weight_of(const std::string& feature) const;
-  Words filled(const Example& example, const Said& said,
-               std::span<const ExamplePiece> pieces) const;
+  std::size_t number_of_meaning(const Words& meaning);
+  const Learned& learned() const;
 
   std::vector<Words> meanings_;
   std::vector<Example> examples_;
-  /// The meanings of whose sentences a word is part.
-  std::unordered_map<std::string, std::set<std::size_t>> words_;
-  std::unordered_map<std::string, std::vector<Share>> index_;
-  /// By how many meanings a feature is said.
-  std::unordered_map<std::string, std::size_t> spread_;
+  /// Shared with copies, which have the same examples; a new one for each that is added.
+  std::shared_ptr<Learned> learned_;
 };
 
 } // namespace castor::communication

@@ -78,8 +78,16 @@ void Lexicon::add_paraphrase(Paraphrase paraphrase, bool is_always) {
 
 void Lexicon::add_example(std::string_view meaning, std::string_view sentence) {
   examples_.add(meaning, sentence);
-  const auto words = words_of(sentence);
-  class_words_.insert(words.begin(), words.end());
+  for (const auto& word : words_of(sentence))
+    ++example_words_[word];
+}
+
+bool Lexicon::is_in_a_class(const std::string& word) const {
+  // What is said seldom may be a typing error.
+  constexpr std::size_t least_often = 8;
+  const auto said = example_words_.find(word);
+  return class_words_.contains(word) ||
+         (said != example_words_.end() && said->second >= least_often);
 }
 
 bool Lexicon::is_in(WordClass word_class, const std::string& phrase) const {

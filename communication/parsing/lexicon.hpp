@@ -97,8 +97,6 @@ public:
   void add_paraphrase(Paraphrase paraphrase, bool is_always);
   /// \throws std::invalid_argument what is wrong with them
   void add_example(std::string_view meaning, std::string_view sentence);
-  /// To be called after the last example is added.
-  void weigh_examples() { examples_.weigh(); }
 
   const LexicalEntry& entry(std::uint32_t number) const { return entries_[number]; }
   std::span<const LexicalEntry> entries() const { return entries_; }
@@ -119,8 +117,8 @@ public:
 
   const Examples& examples() const { return examples_; }
 
-  /// Whether the word is in a class, a paraphrase or an example, at least as part of a phrase.
-  bool is_in_a_class(const std::string& word) const { return class_words_.contains(word); }
+  /// Whether the word is in a class, a paraphrase or several examples, at least as part of a phrase.
+  bool is_in_a_class(const std::string& word) const;
 
   /// In words.
   std::size_t longest_aside() const { return longest_aside_; }
@@ -153,6 +151,8 @@ private:
   std::unordered_map<std::string, double> fillers_;
   std::set<std::pair<WordClass, std::string>> classes_;
   std::set<std::string> class_words_;
+  /// How often examples say a word.
+  std::unordered_map<std::string, std::size_t> example_words_;
   std::vector<Paraphrase> paraphrases_;
   std::vector<Paraphrase> always_paraphrases_;
   Examples examples_;

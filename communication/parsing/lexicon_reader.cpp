@@ -59,7 +59,6 @@ public:
       read_file(file);
     if (problems_.empty() && lexicon_->roots().empty())
       report({1, 1, "nothing says what an utterance may be", "Add a line such as: root s np"});
-    lexicon_->weigh_examples();
     return {problems_.empty() ? lexicon_ : nullptr, std::move(problems_)};
   }
 

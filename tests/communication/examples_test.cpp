@@ -40,7 +40,6 @@ Examples examples_of(const Sentences& added) {
   Examples result;
   for (const auto& [meaning, sentence] : added)
     result.add(meaning, sentence);
-  result.weigh();
   return result;
 }
 
@@ -70,12 +69,12 @@ std::string text_of_words(const std::vector<std::string>& words) {
 
 /// The likeliest meaning; "-" if there is none.
 std::string meaning_of(const std::string& said, const Sentences& added = known_sentences) {
-  const auto found = examples_of(added).nearest(pieces_of(said), 1);
+  const auto found = examples_of(added).likeliest(pieces_of(said), 1);
   return found.empty() ? "-" : text_of_words(found.front().meaning);
 }
 
 double likeness_of(const std::string& said) {
-  const auto found = examples_of(known_sentences).nearest(pieces_of(said), 1);
+  const auto found = examples_of(known_sentences).likeliest(pieces_of(said), 1);
   return found.empty() ? 0 : found.front().likeness;
 }
 
@@ -123,7 +122,7 @@ TEST(Examples, NeedAsManyThings) {
 TEST(Examples, NeverMeanTheOppositeOfWhatIsSaid) {
   EXPECT_EQ(meaning_of("never handle [it]"), "do not touch it");
   EXPECT_EQ(meaning_of("handle [it]"), "take it");
-  EXPECT_EQ(meaning_of("do n't handle [it]"), "-");
+  EXPECT_LT(likeness_of("do n't handle [it]"), 0.05);
 }
 
 TEST(Examples, AreTheSameAsThemselvesOnly) {
@@ -140,6 +139,15 @@ TEST(Examples, WeighWordsOfFewMeaningsMore) {
                         {"push X", "could you shove X"}};
   EXPECT_EQ(meaning_of("you could pass [it]", added), "give me it");
   EXPECT_EQ(meaning_of("shove [it]", added), "push it");
+}
+
+TEST(Examples, MayNameThingsThatTheirMeaningDoesNot) {
+  const Sentences added{{"that is a remark", "X wobbles"}, {"take X", "grab X"}};
+  EXPECT_EQ(meaning_of("[the cube] wobbles", added), "that is a remark");
+  const auto examples = examples_of(added);
+  EXPECT_GT(examples.certainty_of("that is a remark", pieces_of("[it] wobbles")), 0);
+  EXPECT_LT(examples.certainty_of("that is a remark", pieces_of("grab [it]")), 0);
+  EXPECT_EQ(examples.certainty_of("swap X and Y", pieces_of("grab [it]")), 0);
 }
 
 TEST(Examples, NameWhatIsWrong) {
@@ -206,14 +214,13 @@ TEST(LexiconExamples, MeanWhatTheGrammarUnderstands) {
 }
 
 /// Every tenth sentence is compared with the others.
-TEST(LexiconExamples, MostlyMeanTheSameAsTheNearestOthers) {
+TEST(LexiconExamples, MostlyMeanWhatTheOthersTeach) {
   const auto all = sentences_of_lexicon();
   const auto is_asked = [](std::size_t i) { return i % 10 == 0; };
   Examples others;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!is_asked(i))
       others.add(all[i].first, all[i].second);
-  others.weigh();
   std::size_t asked = 0;
   std::size_t found = 0;
   std::size_t right = 0;
@@ -225,14 +232,15 @@ TEST(LexiconExamples, MostlyMeanTheSameAsTheNearestOthers) {
       const bool is_slot = word == "x" || word == "y" || word == "z";
       said.push_back({{std::move(word)}, is_slot});
     }
-    const auto nearest = others.nearest(said, 1);
+    const auto nearest = others.likeliest(said, 1);
     ++asked;
     found += nearest.empty() ? 0 : 1;
     right += !nearest.empty() && nearest.front().meaning == words_of(all[i].first) ? 1 : 0;
   }
-  fmt::print("of {} sentences {} have the meaning of the nearest others, {} another, {} none\n",
-             asked, right, found - right, asked - found);
-  EXPECT_GT(right, asked * 6 / 10);
+  fmt::print(
+    "of {} sentences {} mean what the others teach, {} are taken for another, {} for none\n", asked,
+    right, found - right, asked - found);
+  EXPECT_GT(right, asked * 8 / 10);
 }
 
 } // namespace

@@ -94,12 +94,12 @@ TEST(PartialRequests, AreDoneWhenPeopleAgreeAndOnlyThen) {
 }
 
 TEST(PartialRequests, AreNotDoneAtOnceHoweverTheyAreAskedFor) {
-  for (const auto* said : {"How about putting the red cube on the left, my aunt admired it there?",
-                           "Why don't you put the red cube on the left, my aunt admired it there?",
-                           "Can you put the red cube on the left, my aunt admired it there?",
-                           "I want you to put the red cube on the left, my aunt admired it there.",
-                           "Have the red cube on the left, my aunt admired it there.",
-                           "I'd like the red cube on the left, my aunt admired it there."})
+  for (const auto* said : {"How about putting the red cube on the left, my aunt frizzled it there?",
+                           "Why don't you put the red cube on the left, my aunt frizzled it there?",
+                           "Can you put the red cube on the left, my aunt frizzled it there?",
+                           "I want you to put the red cube on the left, my aunt frizzled it there.",
+                           "Have the red cube on the left, my aunt frizzled it there.",
+                           "I'd like the red cube on the left, my aunt frizzled it there."})
     EXPECT_EQ(done({said}), "") << said;
 }
 
@@ -198,6 +198,23 @@ TEST(PartialRequests, WhatIsLessLikeExamplesIsAskedBack) {
 TEST(PartialRequests, WhatNamesUnknownThingsIsLikeNoExample) {
   EXPECT_THAT(text_of_reply({"Place blue ball close with blorp cube."}),
               Not(HasSubstr("Do you mean")));
+}
+
+TEST(PartialRequests, WhatIsLikeRemarksAsksForNothing) {
+  for (const auto* said : {"My eyes aren't what they were.", "We want to see friction at work."})
+    EXPECT_THAT(text_of_reply({said}), HasSubstr("I see.")) << said;
+  EXPECT_EQ(done({"Put the red cube on the left, it's going to roll off into my lap."}),
+            "Put RC left");
+  // What nobody knows may matter, and so may a question.
+  EXPECT_THAT(text_of_reply({"It is only just blorped in."}), Not(HasSubstr("I see.")));
+  EXPECT_THAT(text_of_reply({"Did my son telephone this morning?"}), Not(HasSubstr("I see.")));
+}
+
+TEST(PartialRequests, ItIsTheThingThatWhatIsNotUnderstoodNames) {
+  EXPECT_EQ(done({"Treat the blue ball as blorped.", "Take it."}), "Take BB");
+  // Which of them?
+  EXPECT_EQ(done({"Treat the blue ball as the red cube's blorp.", "Take it."}), "");
+  EXPECT_EQ(done({"Take the red cube.", "Now blorp.", "Put it on the left."}), "");
 }
 
 TEST(PartialRequests, APlaceThatIsNotUnderstoodIsAskedFor) {

@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
+#include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/dialogue/partial_requests.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/presence.hpp"
@@ -74,12 +75,15 @@ Reply TableTalk::say_sentence(const std::string& text) {
   auto form = parse.form();
   if (auto other = reparsed(parser, words, form))
     form = std::move(*other);
-  else if (!is_understood(form))
+  else if (!is_understood(form)) {
     if (auto part = partly_understood(parser, said, words, move.corrections)) {
       form = std::move(*part);
       move.corrections.clear();
-    }
+    } else
+      form.mention = LikelyMeaning{parser, said}.mention();
+  }
   move.partial = form.partial;
+  move.mention = form.mention;
   move.corrections.insert(move.corrections.end(), form.corrections.begin(), form.corrections.end());
   form.text = text;
   move.turn = static_cast<std::int32_t>(history_.size());
