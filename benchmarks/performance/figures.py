@@ -74,10 +74,12 @@ def verdict(aim, row, results):
         return None
     line, label = aim.point
     what = label if line == CASTOR else f"{line}, {label}"
-    if aim.kind == "at least that of":
+    if aim.kind in ("at least that of", "at most that of"):
         other = figure_at(results, row.name, aim.other)
         if other is None:
             return None
+        if aim.kind == "at most that of":
+            return Verdict(f"{what}: no longer than {aim.other[1]}", other.median * (1 + aim.value) / figure.median)
         return Verdict(f"{what}: not below {aim.other[0]}", figure.median / other.median)
     wanted = f"{number(aim.value)} {row.unit}"
     if aim.kind == "at most":

@@ -118,7 +118,7 @@ class Programs:
 
     def run(self, run):
         """The figures of one run."""
-        if run.program == "vision":
+        if run.program == "castor run":
             return self._start_vision()
         arguments = dict(run.arguments)
         arguments["seconds"] = max(self.seconds, run.least_seconds)

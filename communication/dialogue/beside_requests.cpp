@@ -69,10 +69,28 @@ bool is_clear_request(const PackedLogicalForm& form, bool is_after) {
   });
 }
 
-std::optional<PackedLogicalForm> clear_request(Parser& parser, const WordList& words,
+/// With the thing that is named before in the place of "it", unless another one is named in
+/// between.
+WordList with_thing_before(Parser& parser, WordList words, const WordList& before) {
+  const auto pronoun = std::ranges::find_if(words, [](const auto& x) {
+    return is_among(x, {"it", "them"});
+  });
+  const bool is_named_between = std::any_of(words.begin(), pronoun, [&](const auto& x) {
+    return name_of_things(parser, {x}) || is_among(x, {"the", "everything", "one", "ones"});
+  });
+  if (pronoun == words.end() || is_named_between)
+    return words;
+  if (const auto name = LikelyMeaning{parser, before}.name())
+    words.insert(words.erase(pronoun), name->begin(), name->end());
+  return words;
+}
+
+std::optional<PackedLogicalForm> clear_request(Parser& parser, WordList words,
                                                const WordList& left_out, bool is_after) {
   if (words.empty() || left_out.empty())
     return std::nullopt;
+  if (is_after)
+    words = with_thing_before(parser, std::move(words), left_out);
   auto form = parser.parse_whole(words);
   if (!form)
     form = LikelyMeaning{parser, words}.likely();
@@ -193,7 +211,7 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
     const bool is_aside_piece = is_remark(x, parser.lexicon()) || is_about_people(x, parser) ||
                                 says_purpose(x) || is_comparison(x, parser.lexicon()) ||
                                 (request.empty() && is_purpose_before(x, parser)) ||
-                                LikelyMeaning{parser, x}.is_remark();
+                                LikelyMeaning{parser, x}.is_remark(false);
     if (request.empty() && left_out.empty())
       begins_with_remark = is_aside_piece;
     const bool is_left_out = is_alternative || is_aside_piece;

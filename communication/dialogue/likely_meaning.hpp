@@ -26,9 +26,16 @@ public:
   std::optional<PackedLogicalForm> possible();
 
   /// Whether it is like remarks, which ask for nothing: "I need somewhere to roll my dough".
-  bool is_remark();
+  /// \param is_alone whether it is all that is said: words that nobody knows change no request then
+  bool is_remark(bool is_alone);
 
-  /// The phrase that names things, if there is one only, and no pronoun.
+  /// "I would prefer the green cube up there": is no remark.
+  bool is_wish();
+
+  /// The words that name things, if only these do, and are no pronoun.
+  std::optional<std::vector<std::string>> name();
+
+  /// What they say.
   std::optional<LogicalForm> mention();
 
 private:

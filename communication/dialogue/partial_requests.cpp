@@ -432,9 +432,11 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
     return result;
   if (auto result = search.without_place())
     return result;
+  if (meaning.is_wish())
+    return std::nullopt;
   if (auto result = remark_in(parser, words))
     return result;
-  auto result = meaning.is_remark() ? parsed_remark(parser, words) : std::nullopt;
+  auto result = meaning.is_remark(true) ? parsed_remark(parser, words) : std::nullopt;
   if (result)
     result->mention = meaning.mention();
   return result;

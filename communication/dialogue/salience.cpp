@@ -174,8 +174,10 @@ Antecedents antecedents_in(const DialogueMove& move, std::span<const MoveReferen
                            const Vocabulary& vocabulary) {
   const auto moves = recent(history);
   auto result = antecedents_in(move.content, moves, vocabulary);
-  // "Are they all red?", before anything else was said, is about all there is.
-  if (history.empty())
+  // "Are they all red?", before anything was spoken of, is about all there is.
+  const bool is_first =
+    std::ranges::all_of(history, [](const auto& x) { return x.understood && x.referents.empty(); });
+  if (is_first)
     for (auto& x : move.content.nominals)
       if (x.proposition == "they" && is_pronoun(x))
         result.emplace(x.name + std::string{first_spoken_of}, Proxies{});

@@ -144,13 +144,19 @@ private:
 
   /// Features by how many meanings have them.
   void weigh() {
-    std::unordered_map<Feature, std::set<std::size_t>> meanings;
+    struct Spread {
+      std::size_t meanings = 0;
+      std::size_t last = 0;
+    };
+    std::unordered_map<Feature, Spread> spreads;
+    std::ranges::stable_sort(examples_, {}, &Read::meaning);
     for (const auto& example : examples_)
       for (const auto& [feature, count] : example.features.counts)
-        meanings[feature].insert(example.meaning);
-    for (const auto& [feature, of] : meanings)
+        if (auto& spread = spreads[feature]; spread.meanings == 0 || spread.last != example.meaning)
+          spread = {spread.meanings + 1, example.meaning};
+    for (const auto& [feature, spread] : spreads)
       weights_[feature] =
-        std::log1p(static_cast<double>(meanings_.size()) / static_cast<double>(of.size()));
+        std::log1p(static_cast<double>(meanings_.size()) / static_cast<double>(spread.meanings));
     for (std::size_t i = 0; i < examples_.size(); ++i) {
       double square = 0;
       for (const auto& [feature, count] : examples_[i].features.counts)
@@ -347,10 +353,6 @@ void Examples::add(std::string_view meaning, std::string_view sentence) {
 const Examples::Learned& Examples::learned() const {
   learned_->learn(meanings_, examples_);
   return *learned_;
-}
-
-void Examples::learn() const {
-  learned();
 }
 
 std::vector<Examples::Match> Examples::likeliest(std::span<const ExamplePiece> said,

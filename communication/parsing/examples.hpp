@@ -41,11 +41,8 @@ public:
   /// \throws std::invalid_argument what is wrong with them
   void add(std::string_view meaning, std::string_view sentence);
 
-  /// Learns from the examples now, so that the first answer does not have to wait for that: some
-  /// tenths of a second for those of the lexicon.
-  void learn() const;
-
-  /// The most certain first, each meaning once.
+  /// The most certain first, each meaning once. The first question after an addition learns from all
+  /// examples: some tenths of a second for those of the lexicon.
   std::vector<Match> likeliest(std::span<const ExamplePiece> said, std::size_t most) const;
 
   /// As in Match; 0 if there are no examples of this meaning.

@@ -117,7 +117,8 @@ public:
 
   const Examples& examples() const { return examples_; }
 
-  /// Whether the word is in a class, a paraphrase or several examples, at least as part of a phrase.
+  /// Whether the word is in a class, a paraphrase or several examples, at least as part of a
+  /// phrase.
   bool is_in_a_class(const std::string& word) const;
 
   /// In words.

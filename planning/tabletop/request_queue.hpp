@@ -3,6 +3,7 @@
 #include "castor/planning/tabletop/types.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace castor::planning {
@@ -27,6 +28,10 @@ public:
   /// Nothing is done any more, unless `go_on`. \returns the motive that is not wanted any more;
   /// without an id for none
   Address stop();
+  /// The arm is to wait until `resume`, or `stop`.
+  void pause() { steps_.is_paused = true; }
+  /// \returns whether it was to wait
+  bool resume() { return std::exchange(steps_.is_paused, false); }
   /// What was stopped, and nothing was asked for since, is done after all.
   /// \returns whether there is anything to do
   bool go_on();

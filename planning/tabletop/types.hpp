@@ -142,6 +142,8 @@ struct RequestedSteps {
   std::vector<RequestedStep> given_up;
   /// Those that were not done yet when people said "stop", until another step is begun.
   std::vector<RequestedStep> stopped;
+  /// People said "wait", and nothing since that ends it.
+  bool is_paused = false;
 
   friend bool operator==(const RequestedSteps&, const RequestedSteps&) = default;
 };
@@ -152,7 +154,7 @@ CASTOR_REFLECT(TableProblem, reason, help, has_begun)
 CASTOR_REFLECT(TableGoalRequest, step, begins)
 CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result, things, is_impossible)
 CASTOR_REFLECT(RequestedStep, move, what, agrees_to)
-CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopped)
+CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopped, is_paused)
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
                waypoint_before, is_held, on, former_proxies, waypoint_before_goal,

@@ -130,8 +130,10 @@ TEST(PartialRequests, SeveralAreProposedTogether) {
 }
 
 TEST(PartialRequests, ItIsTheThingInThePartBefore) {
-  EXPECT_EQ(done({"The green cube keeps wobbling, put it on the left.", "Yes."}), "Put GC left");
-  EXPECT_EQ(done({"The balls are wobbling, give them to me.", "Yes."}), "Give BB PB");
+  EXPECT_EQ(done({"The green cube keeps blorping, put it on the left.", "Yes."}), "Put GC left");
+  EXPECT_EQ(done({"The balls are blorping, give them to me.", "Yes."}), "Give BB PB");
+  // Where what is before it is a remark, it is done at once.
+  EXPECT_EQ(done({"The green cube keeps wobbling, put it on the left."}), "Put GC left");
   EXPECT_EQ(
     done(
       {"My uncle was beside the blue ball yesterday, so take the red cube and put it on the left.",
@@ -206,7 +208,7 @@ TEST(PartialRequests, WhatIsLikeRemarksAsksForNothing) {
   EXPECT_EQ(done({"Put the red cube on the left, it's going to roll off into my lap."}),
             "Put RC left");
   // What nobody knows may matter, and so may a question.
-  EXPECT_THAT(text_of_reply({"It is only just blorped in."}), Not(HasSubstr("I see.")));
+  EXPECT_EQ(done({"It is only just blorped in, put the red cube on the left."}), "");
   EXPECT_THAT(text_of_reply({"Did my son telephone this morning?"}), Not(HasSubstr("I see.")));
 }
 

@@ -113,7 +113,7 @@ class TableMotives final : public HearsRequests {
       if (x.action == "Stop")
         end(referents.move);
       else if (x.action == "Wait" && steps.empty())
-        command(referents.move, manipulation::PauseArm{}, "I wait.");
+        pause_arm(referents.move);
       else if (x.action == "Wait")
         debug("after the last step it waits anyway"); // "Take the ball and wait."
       else if (x.action == "GoOn")
@@ -130,6 +130,9 @@ class TableMotives final : public HearsRequests {
     const bool has_to_wait = (queue_.is_busy() || !queue_.steps().waiting.empty()) &&
                              !referents.corrects && !referents.comes_first;
     withdraw(queue_.add(steps, referents));
+    // What is to be done now ends the waiting: "Wait. - Give me the ball."
+    if (!has_to_wait && queue_.resume())
+      perform(manipulation_, manipulation::ResumeArm{}).wait(patience_.get());
     if (has_to_wait)
       reply(referents.move, MotiveReply::accepted, "I will do that then.");
     remember();
@@ -154,9 +157,17 @@ class TableMotives final : public HearsRequests {
     command(move, manipulation::StopArm{}, "I have stopped.");
   }
 
+  void pause_arm(const EntryPointer<DialogueMove>& move) {
+    queue_.pause();
+    remember();
+    command(move, manipulation::PauseArm{}, "I wait.");
+  }
+
   void resume_arm(const EntryPointer<DialogueMove>& move) {
-    if (!queue_.go_on())
+    const bool was_paused = queue_.resume();
+    if (!queue_.go_on() && !was_paused)
       return reply(move, MotiveReply::impossible, "I have nothing to go on with.");
+    remember();
     command(move, manipulation::ResumeArm{}, "I go on.");
   }
 

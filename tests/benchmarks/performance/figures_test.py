@@ -61,6 +61,11 @@ class VerdictTest(unittest.TestCase):
         self.assertAlmostEqual(self.judged(aim, Castor={"one": [30]}, Redis={"one": [20]}).ratio, 1.5)
         self.assertIsNone(self.judged(aim, Castor={"one": [30]}))
 
+    def test_at_most_that_of_another_point(self):
+        aim = Aim("at most that of", ("Castor", "first"), 0.1, ("Castor", "later"))
+        self.assertTrue(self.judged(aim, Castor={"first": [11], "later": [10]}).met)
+        self.assertFalse(self.judged(aim, Castor={"first": [12], "later": [10]}).met)
+
     def test_does_not_fall_compares_the_least_with_the_first(self):
         aim = Aim("does not fall", ("Castor", ""), 0.05)
         self.assertTrue(self.judged(aim, Castor={"one": [100], "two": [96]}).met)

@@ -151,6 +151,16 @@ TEST_F(RequestQueueTest, HasNothingToGoOnWithAtFirst) {
   EXPECT_FALSE(queue.go_on());
 }
 
+TEST_F(RequestQueueTest, WaitsUntilItIsToGoOnOrToStop) {
+  EXPECT_FALSE(queue.resume());
+  queue.pause();
+  EXPECT_TRUE(queue.resume());
+  EXPECT_FALSE(queue.resume());
+  queue.pause();
+  queue.stop();
+  EXPECT_FALSE(queue.resume());
+}
+
 TEST_F(RequestQueueTest, ReplacesTheRequestThatIsBeingDone) {
   queue.add({step("a", "Take"), step("a", "Put")}, {});
   begin("m1");
