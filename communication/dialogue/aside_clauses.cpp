@@ -144,11 +144,13 @@ bool is_exclamation(Words words, const Lexicon& lexicon) {
          });
 }
 
-/// "Be quick", "hurry up".
+/// "Be quick", "hurry up", "mind the cylinder".
 bool is_manner(Words words, const Lexicon& lexicon) {
   constexpr std::size_t longest = 4;
   if (words.size() > longest || is_decisive(words, lexicon))
     return false;
+  if (is_among(words.front(), {"mind", "watch"}))
+    return words.size() > 1 && words[1] != "out";
   if (words.front() == "be")
     return words.size() > 1 && !is_article(words[1]) &&
            std::ranges::none_of(words.subspan(1), [&](const auto& x) {

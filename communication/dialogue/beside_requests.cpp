@@ -189,10 +189,25 @@ bool is_purpose_before(const WordList& words, Parser& parser) {
   });
 }
 
-/// "Like a little centrepiece": of what is not known.
+/// "Like a little centrepiece": of what is not known, or no arrangement.
 bool is_comparison(const WordList& words, const Lexicon& lexicon) {
-  return words.size() > 2 && is_among(words[0], {"like", "as"}) &&
-         is_among(words[1], {"a", "an", "the", "my", "our"}) && !lexicon.knows(words.back()) &&
+  if (words.size() < 3 || !is_among(words[0], {"like", "as"}) ||
+      std::ranges::any_of(words, decides))
+    return false;
+  const bool is_arrangement =
+    is_among(words.back(), {"tower", "stack", "pile", "row", "line", "circle", "ring", "wall",
+                            "square", "triangle", "pyramid", "column", "queue"});
+  return is_among(words[1], {"a", "an"})
+           ? !is_arrangement && words[0] == "like"
+           : is_among(words[1], {"the", "my", "our"}) && !lexicon.knows(words.back());
+}
+
+/// "And mind the cylinder".
+bool is_caution(const WordList& words) {
+  constexpr std::size_t longest = 6;
+  const auto begin = is_among(words[0], {"and", "but", "so"}) ? std::size_t{1} : 0;
+  return words.size() > begin + 1 && words.size() <= longest &&
+         is_among(words[begin], {"mind", "watch", "careful"}) && words[begin + 1] != "out" &&
          std::ranges::none_of(words, decides);
 }
 
@@ -209,7 +224,8 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
   bool begins_with_remark = false;
   for (const auto& x : pieces_of(words)) {
     const bool is_aside_piece = is_remark(x, parser.lexicon()) || is_about_people(x, parser) ||
-                                says_purpose(x) || is_comparison(x, parser.lexicon()) ||
+                                says_purpose(x) || is_caution(x) ||
+                                is_comparison(x, parser.lexicon()) ||
                                 (request.empty() && is_purpose_before(x, parser)) ||
                                 LikelyMeaning{parser, x}.is_remark(false);
     if (request.empty() && left_out.empty())
