@@ -179,6 +179,12 @@ void prepare_segmentation() {
   const cv::Mat pixel(1, 1, CV_32FC3, cv::Scalar::all(0.5));
   cv::Mat lab;
   cv::cvtColor(pixel, lab, cv::COLOR_BGR2Lab);
+  // Code and memory that are used for the first time take as long again as a picture.
+  constexpr int width = 640;
+  constexpr int height = 480;
+  cv::Mat bytes(height, width, CV_8UC3, cv::Scalar::all(190));
+  cv::rectangle(bytes, {width / 2, height / 2, 60, 60}, {190, 60, 30}, cv::FILLED);
+  segment({width, height, 3, {bytes.datastart, bytes.dataend}});
 }
 
 std::vector<Segment> segment(const Image& image, const SegmentationOptions& options,

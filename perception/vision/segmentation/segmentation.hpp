@@ -17,8 +17,8 @@ struct Segment {
   std::vector<Point2> contour;
 };
 
-/// Calculates what the first call of `segment` would otherwise: tables of colours, which take as
-/// long as some ten pictures.
+/// Does what the first call of `segment` would do otherwise: calculates tables of colours, which
+/// take as long as some ten pictures, and uses code and memory for the first time.
 void prepare_segmentation();
 
 /// Finds the segments of an image, from the top down.
