@@ -149,8 +149,8 @@ bool is_manner(Words words, const Lexicon& lexicon) {
   constexpr std::size_t longest = 4;
   if (words.size() > longest || is_decisive(words, lexicon))
     return false;
-  if (is_among(words.front(), {"mind", "watch"}))
-    return words.size() > 1 && words[1] != "out";
+  if (begins_caution(words))
+    return true;
   if (words.front() == "be")
     return words.size() > 1 && !is_article(words[1]) &&
            std::ranges::none_of(words.subspan(1), [&](const auto& x) {
@@ -210,6 +210,10 @@ private:
 };
 
 } // namespace
+
+bool begins_caution(std::span<const std::string> words) {
+  return words.size() > 1 && is_among(words[0], {"mind", "watch"}) && words[1] != "out";
+}
 
 bool joins_clauses(const std::string& word) {
   return is_among(word, {"and", "so", "but", "then", "because", "since", "though", "well", "now"});

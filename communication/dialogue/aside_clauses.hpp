@@ -28,6 +28,9 @@ enum class Beside { request, question };
 bool is_aside(const Lexicon& lexicon, std::span<const std::string> words, Beside beside,
               bool is_first);
 
+/// "Mind the cylinder", but not "watch out".
+bool begins_caution(std::span<const std::string> words);
+
 /// Whether a word joins clauses, and is of none of them: "and", "so".
 bool joins_clauses(const std::string& word);
 

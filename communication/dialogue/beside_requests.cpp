@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -207,7 +208,7 @@ bool is_caution(const WordList& words) {
   constexpr std::size_t longest = 6;
   const auto begin = is_among(words[0], {"and", "but", "so"}) ? std::size_t{1} : 0;
   return words.size() > begin + 1 && words.size() <= longest &&
-         is_among(words[begin], {"mind", "watch", "careful"}) && words[begin + 1] != "out" &&
+         (words[begin] == "careful" || begins_caution(std::span{words}.subspan(begin))) &&
          std::ranges::none_of(words, decides);
 }
 
@@ -217,12 +218,15 @@ bool begins_with_if(const WordList& words) {
 
 /// "Take the cube away, I do not need it": without remarks.
 std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList& words) {
+  const auto pieces = pieces_of(words);
+  if (pieces.size() < 2)
+    return std::nullopt;
   WordList request;
   WordList left_out;
   // "And if that does not work, on the disc": what follows is part of it.
   bool is_alternative = false;
   bool begins_with_remark = false;
-  for (const auto& x : pieces_of(words)) {
+  for (const auto& x : pieces) {
     const bool is_aside_piece = is_remark(x, parser.lexicon()) || is_about_people(x, parser) ||
                                 says_purpose(x) || is_caution(x) ||
                                 is_comparison(x, parser.lexicon()) ||

@@ -170,7 +170,7 @@ public:
     const bool wishes = std::ranges::any_of(words_, [](const auto& x) {
       return is_among(x, {"want", "need", "prefer", "wish", "like", "love", "should", "must"});
     });
-    return is_among(words_.front(), {"i", "we", "you"}) && wishes &&
+    return wishes && is_among(words_.front(), {"i", "we", "you"}) &&
            std::ranges::any_of(pieces(), [](const auto& x) {
              return x.names_things && !is_general_name(x.words.back());
            });

@@ -212,6 +212,12 @@ TEST(PartialRequests, WhatIsLikeRemarksAsksForNothing) {
   EXPECT_THAT(text_of_reply({"Did my son telephone this morning?"}), Not(HasSubstr("I see.")));
 }
 
+TEST(PartialRequests, CautionsAreLeftOut) {
+  EXPECT_EQ(done({"Put the red cube on the left, and mind the yellow cylinder."}), "Put RC left");
+  EXPECT_EQ(done({"Please."}), "");
+  EXPECT_EQ(done({"And so."}), "");
+}
+
 TEST(PartialRequests, ItIsTheThingThatWhatIsNotUnderstoodNames) {
   EXPECT_EQ(done({"Treat the blue ball as blorped.", "Take it."}), "Take BB");
   // Which of them?
