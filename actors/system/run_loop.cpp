@@ -160,8 +160,9 @@ EndReason RunLoop::wait_for_simulated_time(const RunLimits& until) {
       return EndReason::time_over;
     if (now() >= quiet)
       return EndReason::quiet;
-    parts_.inbox.forget_limit();
-    clock.set_limit(std::min(end, quiet));
+    const auto limit = std::min(end, quiet);
+    parts_.inbox.await_limit(limit);
+    clock.set_limit(limit);
     while (!parts_.inbox.is_at_limit()) {
       if (auto reason = look(true))
         return *reason;

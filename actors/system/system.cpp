@@ -142,7 +142,7 @@ struct System::Implementation {
       return nullptr;
     ClockControl::Parts parts;
     parts.clock = std::make_shared<SimulatedClock>(config.activity(), ClockAdvance{});
-    parts.at_limit = [this] { inbox.note_limit(); };
+    parts.at_limit = [this](Timestamp x) { inbox.note_limit(x); };
     if (auto& mesh = processes.mesh()) {
       parts.send = [mesh](ClockMember to, const ClockAdvance& x) {
         if (auto clock_there = mesh->well_known(to, clock_number))

@@ -15,15 +15,18 @@ void SystemInbox::add(SystemOrder x) {
   changed_.notify_all();
 }
 
-void SystemInbox::note_limit() {
+void SystemInbox::await_limit(Timestamp x) {
   std::lock_guard guard{mutex_};
-  is_at_limit_ = true;
-  changed_.notify_all();
+  limit_ = x;
+  is_at_limit_ = false;
 }
 
-void SystemInbox::forget_limit() {
+void SystemInbox::note_limit(Timestamp x) {
   std::lock_guard guard{mutex_};
-  is_at_limit_ = false;
+  if (limit_ != x)
+    return;
+  is_at_limit_ = true;
+  changed_.notify_all();
 }
 
 bool SystemInbox::is_at_limit() const {

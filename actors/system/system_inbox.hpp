@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/system/system_order.hpp"
+#include "castor/wm/values/timestamp.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -20,9 +21,12 @@ public:
   void end(int status, const std::string& reason);
   void add(SystemOrder x);
 
-  /// Simulated time stands at its limit.
-  void note_limit();
-  void forget_limit();
+  /// From now on, `is_at_limit` is about this limit of simulated time, where it has not arrived
+  /// yet.
+  void await_limit(Timestamp x);
+  /// Simulated time stands at this limit. One that is not awaited is ignored: it may be noted when
+  /// there already is another.
+  void note_limit(Timestamp x);
   bool is_at_limit() const;
 
   /// Status and reason, once the end was requested.
@@ -38,6 +42,7 @@ private:
   std::condition_variable changed_;
   std::optional<std::pair<int, std::string>> ended_;
   std::deque<SystemOrder> orders_;
+  std::optional<Timestamp> limit_;
   bool is_at_limit_ = false;
 };
 

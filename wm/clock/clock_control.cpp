@@ -104,7 +104,7 @@ std::optional<ClockAdvance> ClockControl::decide() {
   if (ask_again_)
     changed_.notify_all();
   if (decision.at_limit && parts_.at_limit)
-    parts_.at_limit();
+    parts_.at_limit(control_.limit());
   return decision.advance;
 }
 

@@ -25,8 +25,9 @@ public:
     std::function<void(ClockMember, const ClockAdvance&)> send;
     /// Messages exchanged with the other processes; null in a system of one process.
     std::function<MessageCounts()> counts;
-    /// Called when time stands at its limit with nobody doing anything; must not call this object.
-    std::function<void()> at_limit;
+    /// Called with the limit when time stands at it with nobody doing anything; must not call this
+    /// object.
+    std::function<void(Timestamp)> at_limit;
   };
 
   explicit ClockControl(Parts parts);

@@ -44,6 +44,20 @@ TEST(SystemInbox, WaitsUntilSomethingIsThere) {
   end.join();
 }
 
+TEST(SystemInbox, OnlyTheLimitThatIsAwaitedCounts) {
+  SystemInbox inbox;
+  inbox.await_limit(500ms);
+  inbox.note_limit(500ms);
+  EXPECT_TRUE(inbox.is_at_limit());
+  inbox.await_limit(800ms);
+  EXPECT_FALSE(inbox.is_at_limit());
+  // Noted before the clock had the new limit, and late.
+  inbox.note_limit(500ms);
+  EXPECT_FALSE(inbox.is_at_limit());
+  inbox.note_limit(800ms);
+  EXPECT_TRUE(inbox.is_at_limit());
+}
+
 } // namespace
 
 } // namespace castor::test

@@ -18,22 +18,11 @@ using namespace std::chrono_literals;
 
 class SimulatedClockTest : public testing::TestWithParam<Activity::Order> {
 protected:
-  void await_limit() {
-    std::unique_lock guard{mutex};
-    EXPECT_TRUE(changed.wait_for(guard, 30s, [this] { return at_limit; }));
-    at_limit = false;
-  }
-
   /// Lets time go on to `limit`, and returns when it stands there.
   void go_on_to(Timestamp limit) {
-    {
-      std::lock_guard guard{mutex};
-      at_limit = false;
-    }
     control.set_limit(limit);
-    do
-      await_limit();
-    while (clock->now() < limit);
+    std::unique_lock guard{mutex};
+    EXPECT_TRUE(changed.wait_for(guard, 30s, [&] { return reached == limit; }));
   }
 
   /// An actor without a thread, that wakes every `period` and does nothing else.
@@ -53,10 +42,10 @@ protected:
     std::make_shared<SimulatedClock>(activity, ClockAdvance{});
   std::mutex mutex;
   std::condition_variable changed;
-  bool at_limit = false;
-  ClockControl control{{clock, nullptr, nullptr, [this] {
+  Timestamp reached{0};
+  ClockControl control{{clock, nullptr, nullptr, [this](Timestamp x) {
                           std::lock_guard guard{mutex};
-                          at_limit = true;
+                          reached = x;
                           changed.notify_all();
                         }}};
   std::string log;
