@@ -32,6 +32,11 @@ bool is_measure(std::string_view by) {
   return by.starts_with("height") || by.starts_with("width") || by.starts_with("volume");
 }
 
+/// A triangle is a ring of three.
+bool is_formation(std::string_view relation) {
+  return is_arrangement(relation) || relation == "in-triangle";
+}
+
 class StepReader {
 public:
   StepReader(const LogicalForm& form, const Antecedents& antecedents, SceneKnowledge& scene)
@@ -231,8 +236,8 @@ private:
       return read_gathering(meant, step);
     if (destination.proposition == "on-each-other")
       return read_stacking(patient, meant_.in_stacking_order(patient, x, std::move(meant)), step);
-    if (is_arrangement(destination.proposition))
-      return read_arrangement(meant, destination, step);
+    if (is_formation(destination.proposition))
+      return read_arrangement(x, meant, destination, step);
     if (destination.proposition == "gap")
       return read_gap(meant, x, step);
     if (destination.sort == "conjunction")
@@ -240,8 +245,8 @@ private:
         const auto& arrangement = need(destination, how);
         if (arrangement.proposition == "near-each-other")
           return read_gathering_at(meant, need(destination, where), step);
-        if (is_arrangement(arrangement.proposition)) {
-          read_arrangement(meant, arrangement, step);
+        if (is_formation(arrangement.proposition)) {
+          read_arrangement(x, meant, arrangement, step);
           read_places(need(destination, where), meant, step);
           return;
         }
@@ -350,11 +355,19 @@ private:
     step.places.push_back({"near", {two.front()}, centimetres_in(need(x, "Gap").proposition)});
   }
 
-  void read_arrangement(const Meant& meant, const Nominal& destination, DirectiveStep& step) {
-    if (meant.things.size() < 2 && scene_.open_questions().empty())
-      throw Uninterpretable{Reason::word, destination.proposition};
-    step.places.push_back({destination.proposition, {}});
-    step.things = meant_.proxies(meant.things);
+  void read_arrangement(const Nominal& x, const Meant& meant, const Nominal& destination,
+                        DirectiveStep& step) {
+    const auto& wanted = destination.proposition;
+    const bool is_triangle = wanted == "in-triangle";
+    const bool are_too_few = meant.things.size() < 2 || (is_triangle && meant.things.size() != 3);
+    if (are_too_few && scene_.open_questions().empty())
+      throw Uninterpretable{Reason::word, wanted};
+    const auto in_order = wanted == "in-row" ? meant_.from_left(x, meant.things) : std::nullopt;
+    step.places.push_back({in_order      ? "in-row-as-named"
+                           : is_triangle ? "in-ring"
+                                         : wanted,
+                           {}});
+    step.things = meant_.proxies(in_order.value_or(meant.things));
     step.number = meant.number < std::ssize(meant.things) ? meant.number : 0;
   }
 

@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/directive_things.hpp"
+#include "castor/communication/dialogue/stacks.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
@@ -44,21 +45,19 @@ MeantThings DirectiveThings::in_stacking_order(const Nominal& patient, const Nom
 /// "The tower": the only thing that others stand on, while it stands on the table itself; nothing
 /// for other phrases, and if there are several.
 std::vector<std::string> DirectiveThings::bottom_of_stack(const Nominal& phrase) {
-  if (phrase.proposition != "tower" || is_plural(phrase) || !is_definite_phrase(phrase))
+  if (!is_tower(phrase))
     return {};
   if (!stack_.empty())
     return stack_;
-  std::vector<std::string> result;
-  const auto& things = scene_.things();
-  const auto is_on = [&](const std::string& a, const std::string& b) {
-    return a != b && scene_.is_related("on", a, b) == Truth::yes;
-  };
-  for (const auto& x : things) {
-    const bool is_below = std::ranges::any_of(things, [&](const auto& y) { return is_on(y, x); });
-    if (is_below && std::ranges::none_of(things, [&](const auto& y) { return is_on(x, y); }))
-      result.push_back(x);
-  }
-  return result.size() == 1 ? result : std::vector<std::string>{};
+  auto result = only_stack(scene_);
+  if (result.size() > 1)
+    result.resize(1);
+  return result;
+}
+
+/// "Take the tower apart": all that stands in it.
+std::vector<std::string> DirectiveThings::whole_stack(const Nominal& phrase) {
+  return is_tower(phrase) ? only_stack(scene_) : std::vector<std::string>{};
 }
 
 } // namespace castor::communication

@@ -161,9 +161,13 @@ MeantThings DirectiveThings::things_named(const Nominal& phrase) {
     throw Uninterpretable{Reason::word, phrase.proposition};
   if (auto moved = of_before(phrase); !moved.empty())
     return {std::move(moved), 0};
+  if (auto stack = whole_stack(phrase); !stack.empty())
+    return {std::move(stack), 0};
   if (names_nothing_seen(phrase))
     throw Uninterpretable{Reason::nothing_like, phrase.name};
   const bool is_others = is_about_others(form_, phrase);
+  if (is_others && remaining_ && feature(phrase, "Delimitation") != "all")
+    return {*remaining_, 0};
   // "Leave the ball alone and take everything else."
   if (is_others && last_ && feature(phrase, "Delimitation") == "all")
     return {all_but(scene_.things(), last_->things), 0};
@@ -197,13 +201,31 @@ MeantThings DirectiveThings::things_named(const Nominal& phrase) {
 }
 
 MeantThings DirectiveThings::indefinite(const Nominal& phrase) {
-  const auto found = evaluation_.described(phrase).best();
+  auto found = evaluation_.described(phrase).best();
   if (!scene_.open_questions().empty())
     return {};
+  if (remaining_)
+    std::erase_if(found, [&](const auto& id) {
+      return std::ranges::find(mentioned_, id) != mentioned_.end() &&
+             std::ranges::find(*remaining_, id) == remaining_->end();
+    });
   const auto number = number_of(phrase, found.size());
   if (found.empty() || std::ssize(found) < number)
     throw Uninterpretable{Reason::nothing_like, phrase.name};
-  return {found, number};
+  if (number == 0 || std::ssize(found) == number || !is_shared_out(phrase))
+    return {found, number};
+  remaining_ = Things{found.begin() + number, found.end()};
+  found.resize(static_cast<std::size_t>(number));
+  return {found, 0};
+}
+
+/// Whether the request goes on with the others, or with another one, of the kind.
+bool DirectiveThings::is_shared_out(const Nominal& phrase) const {
+  return std::ranges::any_of(form_.nominals, [&](const Nominal& x) {
+    const bool is_like = x.proposition == phrase.proposition || feature(x, "Called") == "one";
+    return x.sort == "thing" && place_of_word(x) > place_of_word(phrase) &&
+           (is_about_others(form_, x) || (is_like && !is_definite_phrase(x) && !is_plural(x)));
+  });
 }
 
 /// "The others" are several: all things, if there are no further ones of the kind spoken of.
@@ -309,6 +331,23 @@ Things DirectiveThings::landmarks_of(const Nominal& phrase, const Things& patien
       throw;
     return others;
   }
+}
+
+std::optional<Things> DirectiveThings::from_left(const Nominal& x, const Things& things) {
+  const auto* left = dependent(form_, x, "Leftmost");
+  const auto* end = left == nullptr ? dependent(form_, x, "Rightmost") : left;
+  if (end == nullptr)
+    return std::nullopt;
+  const auto named = landmarks_of(*end, {});
+  auto result = things;
+  std::ranges::stable_sort(result, {}, [&](const std::string& id) {
+    const auto place = scene_.place_in_view(id);
+    return place ? place->x : 0.0;
+  });
+  std::ranges::stable_partition(result, [&](const auto& id) {
+    return (std::ranges::find(named, id) != named.end()) == (left != nullptr);
+  });
+  return result;
 }
 
 MeantThings DirectiveThings::one_of_like(const Nominal& phrase) {

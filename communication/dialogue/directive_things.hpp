@@ -43,6 +43,9 @@ public:
   /// From the bottom: in the order in which they are named, else the widest first, and what nothing
   /// stays on last. "With the green one at the bottom" says which is first.
   MeantThings in_stacking_order(const Nominal& patient, const Nominal& x, MeantThings meant);
+  /// "In a row, starting with the yellow one": that first, the others as they lie. Nothing if no end
+  /// of the row is named.
+  std::optional<Things> from_left(const Nominal& x, const Things& things);
   /// Any of those that are like it, if it is not clear which: what is put down is held, and what is
   /// put back was moved, which tells.
   MeantThings one_of_like(const Nominal& phrase);
@@ -66,6 +69,7 @@ private:
   MeantThings things_named(const Nominal& phrase);
   bool names_nothing_seen(const Nominal& phrase);
   Things bottom_of_stack(const Nominal& phrase);
+  Things whole_stack(const Nominal& phrase);
   Things as_thing(const Nominal& phrase);
   std::optional<std::string> named_before(const Nominal& phrase);
   Things only_other_before(const Nominal& pronoun, const Things& patients);
@@ -76,6 +80,7 @@ private:
   Things all_but_those_before(const Nominal& phrase);
   MeantThings all_or_one_of(const Nominal& phrase);
   MeantThings indefinite(const Nominal& phrase);
+  bool is_shared_out(const Nominal& phrase) const;
   std::int32_t number_of(const Nominal& phrase, std::size_t all) const;
 
   const LogicalForm& form_;
@@ -87,6 +92,8 @@ private:
   MeantThings current_;
   /// What the request has named so far.
   Things mentioned_;
+  /// "One of the balls ..., and the other one ...": those of a kind that are not chosen yet.
+  std::optional<Things> remaining_;
   /// What stands below in what the request has stacked.
   Things stack_;
   /// What a clause beside the request is about: its subject, and all of its things.

@@ -249,6 +249,8 @@ private:
   Truth compares(const std::string& id, const Nominal& comparison);
   Truth compares_distances(const std::string& id, const Nominal& comparison, const Nominal& other);
   Truth shares(const std::string& a, const std::string& b, const std::string& quality);
+  /// Whether something is to be done, and not only to be told.
+  bool is_request() const;
   Truth is_more(const std::string& a, const std::string& b, const std::string& dimension,
                 const Nominal* anchor);
   std::optional<double> measure(const std::string& id, const std::string& dimension,

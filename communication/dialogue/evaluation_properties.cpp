@@ -2,6 +2,7 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/scoped.hpp"
+#include "castor/communication/dialogue/stacks.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 using binding::FeatureKind;
 
 /// Of two sizes, the larger one is larger by so much at least; else they are about the same.
-constexpr double clear_ratio = 1.1;
+constexpr double clear_ratio = 1.05;
 
 /// The middle of the table reaches so far towards its outermost things.
 constexpr double table_middle_share = 0.25;
@@ -58,10 +59,13 @@ const Comparative* comparative(const std::string& word) {
   return found == comparatives.end() ? nullptr : &*found;
 }
 
+bool is_length(const std::string& dimension) {
+  return dimension == "size" || dimension == "height";
+}
+
 /// Whether `a` is clearly more than `b`.
 bool is_clearly_more(double a, double b, const std::string& dimension) {
-  const bool is_length = dimension == "size" || dimension == "height";
-  return is_length ? a > b * clear_ratio : a > b + clear_distance;
+  return is_length(dimension) ? a > b * clear_ratio : a > b + clear_distance;
 }
 
 } // namespace
@@ -176,6 +180,9 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   // Nobody has said where the corners and the sides of the table are.
   if (anchor != nullptr && anchor->sort == "place" && !has_containers())
     not_understood(anchor->proposition);
+  if (relation == "in" && anchor != nullptr && is_tower(*anchor) && !has_containers())
+    if (const auto stack = only_stack(scene_); !stack.empty())
+      return truth_of(std::ranges::find(stack, id) != stack.end());
   if (auto result = is_in_container_part(id, region))
     return *result;
   if (anchor != nullptr)
@@ -464,6 +471,10 @@ Truth Evaluation::shares(const std::string& a, const std::string& b, const std::
   return result;
 }
 
+bool Evaluation::is_request() const {
+  return std::ranges::any_of(form_.nominals, [](const auto& x) { return x.sort == "action"; });
+}
+
 /// Sizes by the words for them, and where these are the same, by measures.
 Truth Evaluation::is_more(const std::string& a, const std::string& b, const std::string& dimension,
                           const Nominal* anchor) {
@@ -478,6 +489,9 @@ Truth Evaluation::is_more(const std::string& a, const std::string& b, const std:
   }
   auto x = measure(a, dimension, anchor);
   auto y = measure(b, dimension, anchor);
+  // "Give me the farthest thing": of two that are about as far away, either will do.
+  if (x && y && is_request() && !is_length(dimension))
+    return truth_of(*x > *y);
   return x && y ? truth_of(is_clearly_more(*x, *y, dimension)) : Truth::unknown;
 }
 

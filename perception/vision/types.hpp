@@ -89,6 +89,9 @@ struct RegionFeatures {
   /// Whether the extent was measured with a camera that is not calibrated: lengths are a guess
   /// then.
   bool is_extent_assumed = false;
+  /// Of the cube, cylinder or sphere itself, however it is turned: along its own x, y and z,
+  /// metres; all zero if its outline does not tell.
+  Point3 lengths;
 };
 
 /// Small picture of the scene when it was last processed, with names on the objects, for users. One
@@ -122,6 +125,8 @@ struct ROI {
 struct SceneObject {
   std::int64_t time = 0;
   AlignedBox box;
+  /// Of the solid itself, however it is turned, metres; all zero if they are not known.
+  Point3 lengths;
   Pose pose;
   Hypothesis label;
   Hypothesis colour;
@@ -185,9 +190,10 @@ CASTOR_REFLECT(SceneChanged, changing, changed, processed, camera)
 CASTOR_REFLECT(InhibitSceneProcessing, component)
 CASTOR_REFLECT(ScenePicture, image, camera, time)
 CASTOR_REFLECT(RegionFeatures, colours, shapes, colour_evidence, shape_evidence, extent,
-               is_extent_assumed)
+               is_extent_assumed, lengths)
 CASTOR_REFLECT(ROI, box, region, mask, contour, camera, time, object_id, has_features, features)
-CASTOR_REFLECT(SceneObject, time, box, pose, label, colour, shape, size, roi_ids, managing_process)
+CASTOR_REFLECT(SceneObject, time, box, lengths, pose, label, colour, shape, size, roi_ids,
+               managing_process)
 CASTOR_REFLECT(SceneObjectUpdate, object_id, position, shape, size, colour, label)
 CASTOR_REFLECT(Attribute, kind, value)
 CASTOR_REFLECT(LearnInstruction, tutor_initiated, target_id, attributes)

@@ -1,8 +1,8 @@
 #include "castor/planning/manipulation/seen_table.hpp"
 
 #include "castor/mapping/geometry/poses.hpp"
+#include "castor/mapping/geometry/seen_solid.hpp"
 #include "castor/planning/manipulation/arm_model.hpp"
-#include "castor/planning/manipulation/seen_solid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,8 @@
 namespace castor::manipulation {
 
 namespace {
+
+using geometry::SeenSolid;
 
 // Outlines that fit worse are those of other shapes, or of several things; pixels.
 constexpr double worst_fit = 6;
@@ -57,10 +59,10 @@ std::optional<SeenSolid> solid_of(const vision::SceneObject& x, const SeenEntrie
     for (const auto& [other, seen] : entries.regions)
       if (std::ranges::find(x.roi_ids, other) == x.roi_ids.end())
         others.push_back(seen.contour);
-    auto fitted = seen_solid(x.shape.value, contour, *entries.camera, others);
+    auto fitted = geometry::seen_solid(x.shape.value, contour, *entries.camera, others);
     if (!fitted || fitted->error > good_fit)
       for (const char* shape : {"cylinder", "box"})
-        if (auto other = seen_solid(shape, contour, *entries.camera, others);
+        if (auto other = geometry::seen_solid(shape, contour, *entries.camera, others);
             other && is_plausible(x.shape.value, other->solid) &&
             (!fitted || other->error < fitted->error))
           fitted = std::move(other);

@@ -193,8 +193,6 @@ CASTOR_REFLECT_ENUM(ManipulationStatus, idle, looking, planning, moving, graspin
                     pushing, paused, confirming, succeeded, failed, cancelled)
 CASTOR_REFLECT(Manipulation, time, status, task, step, what, seen, holds, held, reason, in_way,
                in_way_ids, still_joints, plans, tries, planning_time)
-CASTOR_REFLECT_ENUM(SolidKind, box, cylinder, capsule, sphere)
-CASTOR_REFLECT(Solid, kind, size)
 CASTOR_REFLECT(HeldThing, what, name, colour, shape, solid, pose, uncertainty, higher, let_go)
 
 // -- the arm

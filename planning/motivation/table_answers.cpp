@@ -27,12 +27,6 @@ std::string fine_centimetres(double metres) {
   return std::to_string(halves / 2) + (halves % 2 == 0 ? "" : ".5") + " centimetres";
 }
 
-/// Cubes are seen turned, so that their boxes are wider than they are.
-double width(const TableThing& x) {
-  const auto shape = x.qualities.find("shape");
-  return shape != x.qualities.end() && shape->second == "cube" ? x.height : 2 * x.radius;
-}
-
 double distance(const TableThing& a, const TableThing& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
@@ -168,7 +162,7 @@ TableGoal TableGoalMaker::how_large(bool is_height) const {
   std::string result;
   std::vector<double> sizes;
   for (const auto* x : things_) {
-    const double size = is_height ? x->height : width(*x);
+    const double size = is_height ? x->height : x->width();
     if (size <= 0)
       return answer("I do not know how large " + x->words + " is.");
     sizes.push_back(size);

@@ -280,6 +280,9 @@ TableGoal TableGoalMaker::sort() {
       return refusal("I do not know the " + step_.by + " of " + x->words + '.');
     groups[value->second].push_back(x);
   }
+  // All of them may be called small.
+  if (groups.size() < 2 && step_.by == "size")
+    return sort_in_row();
   if (groups.size() < 2)
     return refusal("They are all of the same " + step_.by + '.');
   std::vector<std::pair<double, Things>> from_left;

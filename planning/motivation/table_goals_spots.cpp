@@ -114,7 +114,7 @@ std::optional<std::string> TableGoalMaker::put_on_top(std::string& where) {
   return put_at_landmarks(place, where);
 }
 
-/// In a row from left to right, by a measure of theirs.
+/// In a row from left to right, by a measure of theirs: as large is what is as long.
 TableGoal TableGoalMaker::sort_in_row() {
   constexpr std::string_view down = "-down";
   const bool is_down = step_.by.ends_with(down);
@@ -125,15 +125,16 @@ TableGoal TableGoalMaker::sort_in_row() {
     return refusal("I do not know how large all of them are.");
   std::ranges::stable_sort(things_, {}, [&](const TableThing* x) {
     const double measure = by == "height"  ? x->height
-                           : by == "width" ? x->radius
-                                           : x->height * x->radius * x->radius;
+                           : by == "width" ? x->width()
+                                           : std::max(x->height, x->width());
     return is_down ? -measure : measure;
   });
   auto result = arrange("in-row-as-named");
   if (result.wish != TableWish::goal)
     return result;
-  result.words = "sort " + listed(things_) + " by " + by + but_what_is_kept();
-  result.result = sentence(listed(things_) + " are in a row by " + by + " now");
+  const auto measure = " by " + (by == "volume" ? std::string{"size"} : by);
+  result.words = "sort " + listed(things_) + measure + but_what_is_kept();
+  result.result = sentence(listed(things_) + " are in a row" + measure + " now");
   return result;
 }
 

@@ -65,6 +65,12 @@ struct TableThing {
   bool is_last_moved = false;
 
   bool was_moved() const { return !waypoint_before.empty(); }
+
+  /// Metres. The disc around a cube is wider than that.
+  double width() const {
+    const auto shape = qualities.find("shape");
+    return shape != qualities.end() && shape->second == "cube" ? height : 2 * radius;
+  }
 };
 
 } // namespace castor::planning

@@ -64,6 +64,8 @@ class Recogniser final : public ManagedComponent {
                    after.colour.confidence * after.shape.confidence};
     if (features.extent != AlignedBox{})
       place_at(features.extent, after);
+    if (features.lengths != Point3{})
+      after.lengths = features.lengths;
     auto update = changes(address.id, *before, after);
     if (!is_change(update))
       return true;

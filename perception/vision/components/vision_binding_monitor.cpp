@@ -53,10 +53,13 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
   }
 
   void tell_of(const std::string& id, const SceneObject& object) {
-    auto& place = objects_[id];
-    // A thing that is jostled is where it was.
-    if (geometry::has_moved(place, object.box) || geometry::is_refined(place, object.box))
+    auto& [place, lengths] = objects_[id];
+    // A thing that is jostled is where it was, and as large.
+    if (geometry::has_moved(place, object.box) || geometry::is_refined(place, object.box)) {
       place = object.box;
+      lengths = object.lengths;
+    } else if (lengths == Point3{})
+      lengths = object.lengths;
     auto data = AnyEntryPointer{here(id), std::string{type_name<SceneObject>()}};
     auto thing = from_here();
     thing.features.push_back(binding::tether_to(data));
@@ -65,7 +68,8 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
     add_word(thing, FeatureKind::shape, object.shape);
     add_word(thing, FeatureKind::size, object.size);
     // Those who ask for sizes want to compare them.
-    if (auto& size = place.size; is_told(object.size) && size.x > 0)
+    const auto& size = lengths == Point3{} ? place.size : lengths;
+    if (is_told(object.size) && size.x > 0)
       thing.features.push_back(binding::extent_of(size.x, size.y, size.z));
     auto location = from_here();
     auto& centre = place.centroid;
@@ -153,8 +157,13 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
   Option<double> sure_{this, "sure", 0.8,
                        "below this confidence, a colour, a shape or a size is told as uncertain"};
 
-  /// Where each was when that was last told.
-  std::map<std::string, AlignedBox> objects_;
+  struct Told {
+    AlignedBox place;
+    Point3 lengths;
+  };
+
+  /// Where each was, and how large, when that was last told.
+  std::map<std::string, Told> objects_;
 };
 
 CASTOR_COMPONENT(VisionBindingMonitor, "adds the objects on the table to binding")

@@ -2,12 +2,31 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "castor/mapping/geometry/seen_solid.hpp"
 #include "castor/perception/vision/opencv_bridge.hpp"
 #include "castor/perception/vision/recognition/outline_fit.hpp"
 #include "castor/perception/vision/recognition/shape_evidence.hpp"
 
 namespace castor::vision {
+
+namespace {
+
+// Outlines that fit worse are partly hidden, or those of other shapes; pixels.
+constexpr double good_fit = 1.5;
+
+Point3 lengths_of(const std::string& shape, const std::vector<Point2>& contour,
+                  const Camera& camera) {
+  const bool is_solid = shape == "cube" || shape == "cylinder" || shape == "sphere";
+  if (!is_solid || camera.is_assumed)
+    return {};
+  const auto seen = geometry::seen_solid(shape, contour, camera);
+  return seen && seen->error <= good_fit ? seen->solid.size : Point3{};
+}
+
+} // namespace
 
 ROI make_roi(const Image& image, const Segment& segment) {
   const auto left = [](double centre, double length) {
@@ -50,6 +69,7 @@ RegionFeatures measure_region(const ROI& roi, const Camera* camera, const Region
     features.extent =
       extent_on_table(*camera, roi.contour, best_of(features.shapes).value).value_or(AlignedBox{});
     features.is_extent_assumed = camera->is_assumed;
+    features.lengths = lengths_of(best_of(features.shapes).value, roi.contour, *camera);
   }
   return features;
 }

@@ -1,6 +1,6 @@
 // Solids by the outlines that vision finds in rendered pictures.
 
-#include "castor/planning/manipulation/seen_solid.hpp"
+#include "castor/mapping/geometry/seen_solid.hpp"
 
 #include "castor/mapping/geometry/poses.hpp"
 #include "castor/perception/vision/segmentation/segmentation.hpp"
@@ -21,6 +21,9 @@
 namespace castor::manipulation {
 
 namespace {
+
+using geometry::seen_solid;
+using geometry::SeenSolid;
 
 struct Seen {
   vision::TabletopObject truth;

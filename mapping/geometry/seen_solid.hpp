@@ -1,13 +1,13 @@
 #pragma once
 
-#include "castor/planning/manipulation/solid.hpp"
+#include "castor/mapping/geometry/solid.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 /// Solids by their outlines in a picture.
-namespace castor::manipulation {
+namespace castor::geometry {
 
 /// A thing that stands on the table, as a picture shows it.
 struct SeenSolid {
@@ -30,9 +30,8 @@ struct SeenSolid {
 /// solid may go on behind them.
 /// @param contour image coordinates, through the centres of the outermost pixels
 /// @param others contours of the other regions, with all their points
-std::optional<SeenSolid> seen_solid(const std::string& shape,
-                                    const std::vector<geometry::Point2>& contour,
-                                    const geometry::Camera& camera,
-                                    const std::vector<std::vector<geometry::Point2>>& others = {});
+std::optional<SeenSolid> seen_solid(const std::string& shape, const std::vector<Point2>& contour,
+                                    const Camera& camera,
+                                    const std::vector<std::vector<Point2>>& others = {});
 
-} // namespace castor::manipulation
+} // namespace castor::geometry

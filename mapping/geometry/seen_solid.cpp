@@ -1,4 +1,4 @@
-#include "castor/planning/manipulation/seen_solid.hpp"
+#include "castor/mapping/geometry/seen_solid.hpp"
 
 #include "castor/mapping/geometry/camera_model.hpp"
 #include "castor/mapping/geometry/eigen_bridge.hpp"
@@ -13,12 +13,11 @@
 #include <numbers>
 #include <utility>
 
-namespace castor::manipulation {
+namespace castor::geometry {
 
 namespace {
 
 using Eigen::VectorXd;
-using geometry::Point2;
 using std::numbers::pi;
 
 constexpr int outline_directions = 48;
@@ -83,7 +82,7 @@ SeenSolid solid_of(Model model, const VectorXd& p) {
       break;
   }
   result.pose.position = {p[0], p[1], result.solid.size.z / 2};
-  result.pose.rotation = geometry::rotation_about_z(turn);
+  result.pose.rotation = rotation_about_z(turn);
   return result;
 }
 
@@ -92,7 +91,7 @@ std::vector<Point3> outline_points(const SeenSolid& x, const Point3& eye) {
   std::vector<Point3> result;
   const auto& size = x.solid.size;
   const auto add = [&](double a, double b, double c) {
-    result.push_back(geometry::transform(x.pose, Point3{a, b, c}));
+    result.push_back(transform(x.pose, Point3{a, b, c}));
   };
   constexpr int around = 40;
   if (x.solid.kind == SolidKind::box) {
@@ -107,8 +106,8 @@ std::vector<Point3> outline_points(const SeenSolid& x, const Point3& eye) {
             c * size.z);
   } else {
     // The circle along which rays touch the ball.
-    const Eigen::Vector3d middle = geometry::to_eigen(x.pose.position);
-    const Eigen::Vector3d to_eye = geometry::to_eigen(eye) - middle;
+    const Eigen::Vector3d middle = to_eigen(x.pose.position);
+    const Eigen::Vector3d to_eye = to_eigen(eye) - middle;
     const double radius = size.x / 2;
     const double away = std::max(to_eye.norm(), radius * 1.01);
     const Eigen::Vector3d axis = to_eye.normalized();
@@ -116,9 +115,9 @@ std::vector<Point3> outline_points(const SeenSolid& x, const Point3& eye) {
     const Eigen::Vector3d v = axis.cross(u);
     const double touch = radius * std::sqrt(1 - radius * radius / (away * away));
     for (int i = 0; i < around; ++i)
-      result.push_back(geometry::to_point(
-        middle + radius * radius / away * axis +
-        touch * (std::cos(2 * pi * i / around) * u + std::sin(2 * pi * i / around) * v)));
+      result.push_back(
+        to_point(middle + radius * radius / away * axis +
+                 touch * (std::cos(2 * pi * i / around) * u + std::sin(2 * pi * i / around) * v)));
   }
   return result;
 }
@@ -157,7 +156,7 @@ std::vector<bool> ends_at_others(const std::vector<Point2>& contour,
 
 class Fit {
 public:
-  Fit(Model model, const std::vector<Point2>& contour, const geometry::Camera& camera,
+  Fit(Model model, const std::vector<Point2>& contour, const Camera& camera,
       const std::vector<std::vector<Point2>>& others)
     : model_(model), camera_(camera), may_go_on_(ends_at_others(contour, others)),
       // The region reaches half a pixel further than the centres of its pixels.
@@ -237,7 +236,7 @@ private:
   std::optional<VectorXd> residual_of(const VectorXd& p) const {
     std::vector<Point2> pixels;
     for (const auto& point : outline_points(solid_of(model_, p), camera_.pose.position)) {
-      const auto pixel = geometry::project(camera_, point);
+      const auto pixel = project(camera_, point);
       if (!pixel)
         return {};
       pixels.push_back(*pixel);
@@ -250,7 +249,7 @@ private:
   }
 
   Model model_;
-  const geometry::Camera& camera_;
+  const Camera& camera_;
   std::vector<bool> may_go_on_;
   VectorXd wanted_;
 };
@@ -292,25 +291,25 @@ std::vector<VectorXd> guesses(Model model, const Point2& middle, double width) {
 } // namespace
 
 std::optional<SeenSolid> seen_solid(const std::string& shape, const std::vector<Point2>& contour,
-                                    const geometry::Camera& camera,
+                                    const Camera& camera,
                                     const std::vector<std::vector<Point2>>& others) {
   if (contour.size() < 3)
     return {};
   const auto [left, right] = std::ranges::minmax(contour, {}, &Point2::x);
   const auto [top, bottom] = std::ranges::minmax(contour, {}, &Point2::y);
   const double row = (top.y + bottom.y) / 2;
-  const auto from = geometry::back_project(camera, {left.x, row});
-  const auto to = geometry::back_project(camera, {right.x, row});
+  const auto from = back_project(camera, {left.x, row});
+  const auto to = back_project(camera, {right.x, row});
   if (!from || !to)
     return {};
   const Point2 middle{(from->x + to->x) / 2, (from->y + to->y) / 2};
   const auto model = model_of(shape);
   const Fit fit(model, contour, camera, others);
   std::optional<SeenSolid> best;
-  for (const auto& guess : guesses(model, middle, geometry::distance(*from, *to)))
+  for (const auto& guess : guesses(model, middle, distance(*from, *to)))
     if (auto found = fit.run(guess); found && (!best || found->error < best->error))
       best = std::move(found);
   return best;
 }
 
-} // namespace castor::manipulation
+} // namespace castor::geometry

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "castor/communication/dialogue/scene_knowledge.hpp"
+#include "castor/communication/types.hpp"
+
+#include <string>
+#include <vector>
+
+namespace castor::communication {
+
+bool is_tower(const Nominal& phrase);
+
+/// "The tower": what stands in the only stack on the table, from the bottom; nothing if there is
+/// none, or if there are several.
+std::vector<std::string> only_stack(SceneKnowledge& scene);
+
+} // namespace castor::communication
