@@ -26,6 +26,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <ranges>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -117,7 +118,8 @@ class Speaker final : public UnmanagedComponent {
   bool hear() {
     auto items = read_all_in<SpokenOutputItem>("communication");
     bool is_new = false;
-    for (const auto& x : items)
+    // The oldest first.
+    for (const auto& x : std::views::reverse(items))
       if (heard_.insert(x.address.id + x->text).second) {
         played().transcript.words += "  < " + x->text + '\n';
         is_new = true;

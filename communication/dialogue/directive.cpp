@@ -4,10 +4,12 @@
 #include "castor/communication/dialogue/directive_places.hpp"
 #include "castor/communication/dialogue/directive_things.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/stacks.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -50,6 +52,8 @@ public:
     for_each_action(form_, *root, [this](auto& x) { add(x); });
     exchange();
     mind_what_moves();
+    resolve_there();
+    drop_repeated();
     return std::move(steps_);
   }
 
@@ -205,6 +209,22 @@ private:
           place.relation = "where-before";
   }
 
+  /// "Clear the right side and put the cylinder there": where the step before is done.
+  void resolve_there() {
+    for (std::size_t i = 1; i < steps_.size(); ++i)
+      if (auto& places = steps_[i].places;
+          places.size() == 1 && places.front().relation == "there" && !steps_[i - 1].places.empty())
+        places = steps_[i - 1].places;
+  }
+
+  /// "Lift the ball and hold it there."
+  void drop_repeated() {
+    const auto same = std::ranges::unique(steps_, [&](const auto& a, const auto& b) {
+      return a == b && a.action == action_for("take");
+    });
+    steps_.erase(same.begin(), same.end());
+  }
+
   // -- kinds of steps
 
   void read_destination(const Nominal& x, const Nominal& destination, DirectiveStep& step) {
@@ -232,6 +252,12 @@ private:
     else if (step.action != action_for("push"))
       step.action = action_for("put");
     auto meant = meant_.things(patient);
+    // "Take the tower apart": what stands on something comes onto the table.
+    if (destination.proposition == "apart" && is_tower(patient) && meant.things.size() > 1) {
+      meant.things.erase(meant.things.begin());
+      step.places.push_back({"table", {}});
+      return take(meant, patient, step);
+    }
     if (destination.proposition == "near-each-other")
       return read_gathering(meant, step);
     if (destination.proposition == "on-each-other")
@@ -252,6 +278,7 @@ private:
         }
       }
     const auto landmarks = read_places(destination, meant, step);
+    meant_.note_landmarks(landmarks);
     // "Put everything next to the disc" moves all but the disc.
     if (!is_definite(patient) || is_plural(patient))
       meant.things = all_but(std::move(meant.things), landmarks);
@@ -363,10 +390,7 @@ private:
     if (are_too_few && scene_.open_questions().empty())
       throw Uninterpretable{Reason::word, wanted};
     const auto in_order = wanted == "in-row" ? meant_.from_left(x, meant.things) : std::nullopt;
-    step.places.push_back({in_order      ? "in-row-as-named"
-                           : is_triangle ? "in-ring"
-                                         : wanted,
-                           {}});
+    step.places.push_back({in_order ? "in-row-as-named" : is_triangle ? "in-ring" : wanted, {}});
     step.things = meant_.proxies(in_order.value_or(meant.things));
     step.number = meant.number < std::ssize(meant.things) ? meant.number : 0;
   }

@@ -207,6 +207,14 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
     const auto side = destination.proposition.substr(destination.proposition.find('-'));
     return {{(degree == "small" ? "slightly" : "further") + side, nullptr, metres_of(destination)}};
   }
+  // "A bit closer to the ball."
+  if (const auto degree = feature(destination, "Degree");
+      !degree.empty() && anchor != nullptr && anchor->sort == "thing") {
+    constexpr double little = 0.04;
+    const auto metres = metres_of(destination);
+    return {{relation(destination.proposition, vocabulary), anchor,
+             metres == 0 && degree == "small" ? little : metres}};
+  }
   if (anchor == nullptr)
     return {{part(destination.proposition), nullptr}};
   // "Towards me": who speaks sits in front.

@@ -23,7 +23,7 @@ MeantThings DirectiveThings::in_stacking_order(const Nominal& patient, const Nom
     std::ranges::stable_sort(meant.things, std::greater{}, width);
   }
   // "The tallest tower you can": of all that can be stacked, one that is round on top.
-  if (feature(patient, "Stackable") == "true") {
+  if (feature(patient, "Stackable") == "true" || dependent(form_, patient, "Except") != nullptr) {
     const auto is_flat = [&](const std::string& id) {
       const auto shapes = scene_.words(id, binding::FeatureKind::shape);
       return !shapes.empty() && shapes.front() != "sphere";

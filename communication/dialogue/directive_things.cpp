@@ -310,6 +310,9 @@ Things DirectiveThings::landmarks_of(const Nominal& phrase, const Things& patien
   if (phrase.proposition == "itself")
     return patients;
   try {
+    // "One ball left of the disc and one right of it."
+    if (remaining_ && is_pronoun(phrase) && !is_plural(phrase) && landmarks_before_.size() == 1)
+      return landmarks_before_;
     const auto before = of_step_before(phrase);
     if (before && before->things != patients)
       return before->things;
@@ -333,12 +336,30 @@ Things DirectiveThings::landmarks_of(const Nominal& phrase, const Things& patien
   }
 }
 
+/// "The green one" is one of those that are put in the row.
+Things DirectiveThings::ends_named(const Nominal& phrase, const Things& things) {
+  try {
+    return landmarks_of(phrase, {});
+  } catch (const Uninterpretable& e) {
+    if (e.what != phrase.name)
+      throw;
+    auto form = form_;
+    find_nominal(form, phrase.name)->proposition = "thing";
+    auto like = Evaluation{form, antecedents_, scene_}.described(*find_nominal(form, phrase.name));
+    std::erase_if(like.certain,
+                  [&](const auto& id) { return std::ranges::find(things, id) == things.end(); });
+    if (like.certain.size() != 1)
+      throw;
+    return like.certain;
+  }
+}
+
 std::optional<Things> DirectiveThings::from_left(const Nominal& x, const Things& things) {
   const auto* left = dependent(form_, x, "Leftmost");
   const auto* end = left == nullptr ? dependent(form_, x, "Rightmost") : left;
   if (end == nullptr)
     return std::nullopt;
-  const auto named = landmarks_of(*end, {});
+  const auto named = ends_named(*end, things);
   auto result = things;
   std::ranges::stable_sort(result, {}, [&](const std::string& id) {
     const auto place = scene_.place_in_view(id);

@@ -57,6 +57,7 @@ public:
   void end_step(bool names_things);
   /// "Stack the cubes, and put the ball in front of the tower": what stands below in it.
   void note_stack(const std::string& bottom) { stack_ = {bottom}; }
+  void note_landmarks(const Things& landmarks) { landmarks_before_ = landmarks; }
   /// "If there is a ball on the left, take it": a clause that a step depends on, or is asked for
   /// because of, says what its pronouns stand for.
   void note_clause(const Nominal& clause);
@@ -72,6 +73,7 @@ private:
   Things whole_stack(const Nominal& phrase);
   Things as_thing(const Nominal& phrase);
   std::optional<std::string> named_before(const Nominal& phrase);
+  Things ends_named(const Nominal& phrase, const Things& things);
   Things only_other_before(const Nominal& pronoun, const Things& patients);
   Things nearest_of(const MeantThings& all, const Things& patients) const;
   Things of_before(const Nominal& phrase);
@@ -94,6 +96,8 @@ private:
   Things mentioned_;
   /// "One of the balls ..., and the other one ...": those of a kind that are not chosen yet.
   std::optional<Things> remaining_;
+  /// What the things of the step before were put at.
+  Things landmarks_before_;
   /// What stands below in what the request has stacked.
   Things stack_;
   /// What a clause beside the request is about: its subject, and all of its things.

@@ -156,6 +156,12 @@ TEST(Directives, WhatSaysTheSameIsUnderstood) {
   EXPECT_EQ(result.right, result.all) << result.failures;
 }
 
+TEST(Directives, PlainSentencesAreUnderstood) {
+  const auto result = figures_of("plain.txt");
+  EXPECT_GE(result.all, 55U);
+  EXPECT_EQ(result.right, result.all) << result.failures;
+}
+
 TEST(Directives, WhatFollowsOnARequestIsUnderstood) {
   const auto result = figures_of("turns.txt");
   EXPECT_GE(result.all, 50U);
