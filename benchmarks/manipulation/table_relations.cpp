@@ -9,8 +9,8 @@ namespace castor::manipulation {
 
 namespace {
 
-/// Where who looks at the table is.
-constexpr Spot viewer{0, -0.34};
+/// Where who speaks sits, in front of the table.
+constexpr Spot viewer{0, -1};
 /// Half a right angle to each side.
 constexpr double most_off = std::numbers::pi / 4;
 constexpr double near_gap = 0.10;

@@ -178,7 +178,7 @@ MeantThings DirectiveThings::things_named(const Nominal& phrase) {
     return {all_but(scene_.things(), last_->things), 0};
   if (is_plural(phrase) && is_others && !antecedents_.contains(phrase.name) &&
       scene_.open_questions().empty())
-    throw Uninterpretable{Reason::ambiguous, phrase.name};
+    return {all_but_landmarks(phrase), 0};
   Things meant;
   try {
     meant = evaluation_.meant(phrase);
@@ -237,6 +237,21 @@ Things DirectiveThings::all_but_those_before(const Nominal& phrase) {
       return std::ranges::find(before->second, scene_.proxy_of(id)) != before->second.end();
     });
   return result;
+}
+
+/// "Put the others next to the cube."
+Things DirectiveThings::all_but_landmarks(const Nominal& phrase) {
+  Things landmarks;
+  const bool are_stacked = std::ranges::any_of(
+    form_.nominals, [](const auto& x) { return x.sort == "region" && x.proposition == "on"; });
+  for (const auto& x : form_.nominals)
+    if (!are_stacked && x.name != phrase.name && x.sort == "thing" && is_definite_phrase(x) &&
+        !is_pronoun(x) && vocabulary().surroundings(x) == nullptr)
+      for (auto& id : evaluation_.meant(x))
+        landmarks.push_back(std::move(id));
+  if (landmarks.empty())
+    throw Uninterpretable{Reason::ambiguous, phrase.name};
+  return all_but(scene_.things(), landmarks);
 }
 
 /// "The ball and a cube"; "the ball or the cube".
@@ -356,7 +371,10 @@ Things DirectiveThings::ends_named(const Nominal& phrase, const Things& things) 
 
 std::optional<Things> DirectiveThings::from_left(const Nominal& x, const Things& things) {
   const auto* left = dependent(form_, x, "Leftmost");
-  const auto* end = left == nullptr ? dependent(form_, x, "Rightmost") : left;
+  const auto* middle = dependent(form_, x, "Middlemost");
+  const auto* end = left != nullptr     ? left
+                    : middle != nullptr ? middle
+                                        : dependent(form_, x, "Rightmost");
   if (end == nullptr)
     return std::nullopt;
   const auto named = ends_named(*end, things);
@@ -365,9 +383,13 @@ std::optional<Things> DirectiveThings::from_left(const Nominal& x, const Things&
     const auto place = scene_.place_in_view(id);
     return place ? place->x : 0.0;
   });
-  std::ranges::stable_partition(result, [&](const auto& id) {
-    return (std::ranges::find(named, id) != named.end()) == (left != nullptr);
-  });
+  const auto others = std::ranges::stable_partition(
+    result, [&](const auto& id) { return std::ranges::find(named, id) != named.end(); });
+  if (left != nullptr)
+    return result;
+  // To the end, or to the middle.
+  const auto before = middle == nullptr ? std::ssize(others) : (std::ssize(others) + 1) / 2;
+  std::ranges::rotate(result.begin(), others.begin(), others.begin() + before);
   return result;
 }
 

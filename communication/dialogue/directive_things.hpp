@@ -80,6 +80,7 @@ private:
   std::optional<MeantThings> of_step_before(const Nominal& phrase) const;
   std::optional<MeantThings> of_clause(const Nominal& phrase) const;
   Things all_but_those_before(const Nominal& phrase);
+  Things all_but_landmarks(const Nominal& phrase);
   MeantThings all_or_one_of(const Nominal& phrase);
   MeantThings indefinite(const Nominal& phrase);
   bool is_shared_out(const Nominal& phrase) const;

@@ -211,6 +211,11 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
       not_understood(find_nominal(form_, anchor->relations.front().dependent)->proposition);
     return Truth::yes;
   }
+  // What the other stands on.
+  if (relation == "under" && !has_containers())
+    return quantified(*anchor, [&](const std::string& other) {
+      return other == id ? Truth::no : scene_.is_related("on", other, id);
+    });
   if (relation == "far")
     return quantified(*anchor, [&](const std::string& other) { return is_far(id, other); });
   if (relation.starts_with(directly))
@@ -433,8 +438,7 @@ std::optional<std::string> Evaluation::distinguished_by_size(const Nominal& phra
     others.add(other, fits_but_for(other, phrase, *size));
   const auto all = others.best();
   const bool is_height = selection->second == "tallest" || selection->second == "lowest";
-  const auto* root = find_nominal(form_, form_.root);
-  if (!is_height && (root == nullptr || root->sort != "action"))
+  if (!is_height && !is_request())
     return std::nullopt;
   if (all.size() == 1 && is_height)
     return all.front();

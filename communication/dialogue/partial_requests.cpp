@@ -450,8 +450,14 @@ partly_understood(Parser& parser, const WordList& said, const WordList& correcte
     if (auto whole = parsed_request_alone(parser, said))
       return whole;
   std::optional<PackedLogicalForm> result;
-  if (const auto other = paraphrased(said, parser.lexicon(), false))
+  if (const auto other = paraphrased(said, parser.lexicon(), false)) {
     result = partly_understood(parser, *other);
+    // In the words that were said.
+    if (result)
+      for (auto& x : result->corrections)
+        if (x.word == written(*other))
+          x.word = written(said);
+  }
   if (!result)
     result = partly_understood(parser, said);
   if (!result && !corrections.empty()) {
