@@ -6,6 +6,7 @@
 #include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
+#include "castor/communication/parsing/english_words.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
@@ -244,15 +245,29 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
   return clear_request(parser, request, left_out, begins_with_remark);
 }
 
-/// Adverbs that are not known.
+/// "Ball", "purple ball".
+bool begins_name(Parser& parser, const WordList& words, std::size_t begin) {
+  for (const auto length : {1, 2})
+    if (const auto end = begin + static_cast<std::size_t>(length);
+        end <= words.size() && name_of_things(parser, piece(words, begin, end)))
+      return true;
+  return false;
+}
+
+/// Adverbs that are not known, and adjectives before names: "that gorgeous purple ball".
 std::optional<PackedLogicalForm> without_manner(Parser& parser, const WordList& words) {
   const auto& lexicon = parser.lexicon();
   WordList known;
   WordList left_out;
-  for (const auto& word : words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto& word = words[i];
     const bool is_manner =
       word.ends_with("ly") && !lexicon.knows(word) && !lexicon.is_in(WordClass::decisive, word);
-    (is_manner ? left_out : known).push_back(word);
+    const bool is_before_name =
+      i > 0 && is_among(words[i - 1], {"the", "that", "this", "my", "our", "your"}) &&
+      !lexicon.knows(word) && !lexicon.is_in_a_class(word) && is_english_word(word) &&
+      begins_name(parser, words, i + 1);
+    (is_manner || is_before_name ? left_out : known).push_back(word);
   }
   return clear_request(parser, known, left_out, false);
 }

@@ -29,6 +29,9 @@ bool is_about_touching(std::string_view verb) {
   return std::ranges::find(verbs, verb) != verbs.end();
 }
 
+/// Where a thing is not.
+constexpr std::string_view opposite_side = "opposite-side";
+
 /// What things are put in a row by.
 bool is_measure(std::string_view by) {
   return by.starts_with("height") || by.starts_with("width") || by.starts_with("volume");
@@ -53,7 +56,7 @@ public:
     exchange();
     mind_what_moves();
     resolve_there();
-    drop_repeated();
+    drop_needless();
     return std::move(steps_);
   }
 
@@ -217,12 +220,20 @@ private:
         places = steps_[i - 1].places;
   }
 
-  /// "Lift the ball and hold it there."
-  void drop_repeated() {
-    const auto same = std::ranges::unique(steps_, [&](const auto& a, const auto& b) {
-      return a == b && a.action == action_for("take");
-    });
-    steps_.erase(same.begin(), same.end());
+  /// "Lift the ball and hold it there"; "take the balls and put them on the left", of which only
+  /// one at a time can be held.
+  void drop_needless() {
+    for (std::size_t i = 0; i + 1 < steps_.size();) {
+      const auto& x = steps_[i];
+      const auto& next = steps_[i + 1];
+      const bool is_said_again = x == next;
+      const bool are_put_anyway =
+        x.things.size() > 1 && x.number == 0 && x.things == next.things && next.number == 0;
+      if (x.action == action_for("take") && (is_said_again || are_put_anyway))
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
+      else
+        ++i;
+    }
   }
 
   // -- kinds of steps
@@ -292,10 +303,19 @@ private:
       Things others;
       if (place.landmark != nullptr)
         others = meant_.landmarks_of(*place.landmark, meant.things);
-      step.places.push_back({place.relation, meant_.proxies(others), place.distance});
+      step.places.push_back(
+        {place.relation == opposite_side ? side_opposite_to(meant) : place.relation,
+         meant_.proxies(others), place.distance});
       result.insert(result.end(), others.begin(), others.end());
     }
     return result;
+  }
+
+  /// "On the other side of the table", of a thing.
+  std::string side_opposite_to(const Meant& meant) const {
+    const auto place =
+      meant.things.empty() ? std::nullopt : scene_.place_in_view(meant.things.front());
+    return place && place->x < 0 ? "right" : "left";
   }
 
   /// "Together on the left": the first one is put there, and the others next to it.
@@ -389,7 +409,8 @@ private:
     const bool are_too_few = meant.things.size() < 2 || (is_triangle && meant.things.size() != 3);
     if (are_too_few && scene_.open_questions().empty())
       throw Uninterpretable{Reason::word, wanted};
-    const auto in_order = wanted == "in-row" ? meant_.from_left(x, meant.things) : std::nullopt;
+    const auto in_order =
+      wanted.starts_with("in-row") ? meant_.from_left(x, meant.things) : std::nullopt;
     step.places.push_back({in_order ? "in-row-as-named" : is_triangle ? "in-ring" : wanted, {}});
     step.things = meant_.proxies(in_order.value_or(meant.things));
     step.number = meant.number < std::ssize(meant.things) ? meant.number : 0;

@@ -49,6 +49,7 @@ const Words parts{{"left", "left"},
                   {"on-top", "on-top"},
                   {"opposite-corner", "opposite-corner"},
                   {"each-corner", "each-corner"},
+                  {"opposite-side", "opposite-side"},
                   {"there", "there"},
                   {"table", "table"},
                   {"some-way", "some-way"}};

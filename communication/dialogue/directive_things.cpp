@@ -66,6 +66,7 @@ void DirectiveThings::note_clause(const Nominal& clause) {
     auto meant = is_definite_phrase(*phrase)
                    ? MeantThings{evaluation_.meant(*phrase), 0}
                    : MeantThings{evaluation_.described(*phrase).best(), is_plural(*phrase) ? 0 : 1};
+    mentioned_.insert(mentioned_.end(), meant.things.begin(), meant.things.end());
     for (const auto& x : meant.things)
       if (std::ranges::find(of_whole_clause_.things, x) == of_whole_clause_.things.end())
         of_whole_clause_.things.push_back(x);

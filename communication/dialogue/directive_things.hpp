@@ -43,8 +43,8 @@ public:
   /// From the bottom: in the order in which they are named, else the widest first, and what nothing
   /// stays on last. "With the green one at the bottom" says which is first.
   MeantThings in_stacking_order(const Nominal& patient, const Nominal& x, MeantThings meant);
-  /// "In a row, starting with the yellow one": that first, the others as they lie. Nothing if no end
-  /// of the row is named.
+  /// "In a row, starting with the yellow one": that first, the others as they lie. Nothing if no
+  /// end of the row is named.
   std::optional<Things> from_left(const Nominal& x, const Things& things);
   /// Any of those that are like it, if it is not clear which: what is put down is held, and what is
   /// put back was moved, which tells.

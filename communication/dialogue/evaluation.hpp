@@ -216,6 +216,7 @@ private:
   void check_consistency(const std::vector<std::pair<const Nominal*, Fitting>>& phrases) const;
   bool exclude_each_other(const Nominal& a, const Nominal& b) const;
   bool has_pronoun(const Nominal& phrase) const;
+  bool is_stack(const Nominal& x);
   bool is_other_than_subject(const Nominal& clause, const Nominal& x) const;
   Truth fits_but_for(const std::string& id, const Nominal& phrase, const Nominal& modifier);
   Truth fits(const std::string& id, const Nominal& phrase, bool with_selection = true);

@@ -1,6 +1,7 @@
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
+#include "castor/communication/dialogue/stacks.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
@@ -52,12 +53,18 @@ void Evaluation::check_presuppositions() {
     // What a pronoun stands for may be bound by what surrounds it; of "all of the balls", the balls
     // are definite.
     if (x.sort != "thing" || vocabulary().surroundings(x) != nullptr || has_pronoun(x) ||
-        (is_other && &x == other) || is_only_plural(x) || is_other_than_subject(root, x) ||
+        is_stack(x) || (is_other && &x == other) || is_only_plural(x) ||
+        is_other_than_subject(root, x) ||
         (!is_definite_phrase(x) && (!is_universal || dependent(form_, x, "PartOf") != nullptr)))
       continue;
     phrases.emplace_back(&x, presupposed(x));
   }
   check_consistency(phrases);
+}
+
+/// "The tower", where some things stand on each other.
+bool Evaluation::is_stack(const Nominal& x) {
+  return is_tower(x) && !has_containers() && !only_stack(scene_).empty();
 }
 
 /// "Is one of the balls larger than the other?": which the other is depends on the one.

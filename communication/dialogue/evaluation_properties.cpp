@@ -107,7 +107,8 @@ Evaluation::Things Evaluation::landmarks_of(const Nominal& scope) {
       if (const auto* anchor = dependent(form_, scope, mode);
           anchor != nullptr && anchor->sort == "thing" && is_definite(*anchor) &&
           !is_plural(*anchor) && !is_about_others(form_, *anchor) &&
-          vocabulary().surroundings(*anchor) == nullptr && !is_side_of_container(*anchor))
+          vocabulary().surroundings(*anchor) == nullptr && !is_side_of_container(*anchor) &&
+          !is_stack(*anchor))
         add(meant(*anchor));
   return result;
 }

@@ -92,6 +92,20 @@ bool may_precede_verb(std::string_view word) {
   return is_among(word, {"i", "you", "we"});
 }
 
+/// "Do not", "you must not"; but not "why do you not", "don't you".
+bool says_not_to(const WordList& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool is_not = is_among(words[i], {"not", "n't", "never", "dont"});
+    const bool is_asked = is_among(words.front(), {"why", "what", "how"}) ||
+                          (i + 1 < words.size() && is_among(words[i + 1], {"you", "we", "i"}));
+    const bool is_denied = i == 0 || words[i] == "dont" ||
+                           is_among(words[i - 1], {"do", "must", "should", "may", "shall", ","});
+    if (is_not && is_denied && !is_asked)
+      return true;
+  }
+  return false;
+}
+
 bool may_precede_name(std::string_view word) {
   return is_among(word, {"the", "a", "an", "this", "that", "these", "those", "my", "your", "some",
                          "any", "no", "another", "which", "of"});
@@ -231,6 +245,9 @@ private:
     // recite".
     if (written(meaning) == impossible)
       return match.certainty < least_for_impossible || !lexicon().knows(words_.front());
+    // "Don't put it down yet" is no "put it down".
+    if (says_not_to(words_) && !says_not_to(meaning))
+      return true;
     const auto says_push = [](const WordList& words) {
       return std::ranges::find(words, "push") != words.end();
     };

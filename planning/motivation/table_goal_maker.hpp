@@ -80,7 +80,7 @@ private:
   TableGoal arrange(const std::string& arrangement, const std::string& side = {});
   void stand_at(std::vector<TableSpot> spots);
   TableGoal put_where_another_is(const DirectivePlace& place, const std::string& verb);
-  std::optional<std::string> put_further(const Shift& shift, double distance, std::string& where);
+  std::optional<std::string> put_further(const Shifted& way, std::string& where);
   std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_on(const Things& landmarks) const;

@@ -44,6 +44,28 @@ bool is_in_quarter(const TableThing& x, std::string_view quarter) {
   return !x.is_held && is_beyond(x.x, "left") && is_beyond(x.y, "front");
 }
 
+bool is_shift(const communication::DirectivePlace& x) {
+  return std::ranges::find(shifts, x.relation, &Shift::relation) != std::end(shifts);
+}
+
+/// "10 cm to the right and 5 cm to the back."
+Shifted further_along(const std::vector<communication::DirectivePlace>& places) {
+  Shifted result;
+  for (const auto& place : places) {
+    const auto* shift = std::ranges::find(shifts, place.relation, &Shift::relation);
+    if (shift == std::end(shifts))
+      continue;
+    const double length = place.distance > 0 ? place.distance / std::hypot(shift->x, shift->y) : 1;
+    result.x += length * shift->x;
+    result.y += length * shift->y;
+    result.words += result.words.empty() ? "" : " and";
+    if (place.distance > 0)
+      result.words += ' ' + std::to_string(std::lround(100 * place.distance)) + " centimetres";
+    result.words += ' ' + std::string{shift->words};
+  }
+  return result;
+}
+
 bool is_measured_place(const communication::DirectivePlace& x) {
   return is_measured(x.relation, x.landmarks.empty() ? 0 : x.distance);
 }
@@ -61,6 +83,7 @@ TableGoal TableGoalMaker::put() {
   const auto places = with_middles_of_sides(step_.places);
   const auto part = std::ranges::find_if(
     places, [](const DirectivePlace& x) { return !words_for(part_words, x.relation).empty(); });
+  auto way = further_along(places);
   for (const auto& place : places) {
     if (communication::is_arrangement(place.relation)) {
       if (part == places.end())
@@ -88,8 +111,9 @@ TableGoal TableGoalMaker::put() {
       return put_on_both_sides(place);
     if (place.relation == "where" || place.relation == "where-before")
       return put_where_another_is(place, verb);
-    const auto* shift = std::ranges::find(shifts, place.relation, &Shift::relation);
-    auto problem = shift != std::end(shifts)    ? put_further(*shift, place.distance, where)
+    if (is_shift(place) && way.words.empty())
+      continue;
+    auto problem = is_shift(place)              ? put_further(std::exchange(way, {}), where)
                    : place.relation == "on-top" ? put_on_top(where)
                    : is_measured_place(place)   ? put_at_spot(place, where)
                    : place.landmarks.empty()    ? put_in_part(place, where)
@@ -173,13 +197,11 @@ TableGoal TableGoalMaker::put_where_another_is(const DirectivePlace& place,
 }
 
 /// \returns why it is impossible
-std::optional<std::string> TableGoalMaker::put_further(const Shift& shift, double distance,
-                                                       std::string& where) {
-  const double length = distance > 0 ? distance / std::hypot(shift.x, shift.y) : 1;
+std::optional<std::string> TableGoalMaker::put_further(const Shifted& way, std::string& where) {
   for (const auto* x : things_) {
     if (x->is_held)
       return "I hold " + x->words + ": tell me where to put it.";
-    auto spot = spot_for(*x, {x->x + length * shift.x, x->y + length * shift.y});
+    auto spot = spot_for(*x, {x->x + way.x, x->y + way.y});
     if (!is_on_table(spot.x, spot.y))
       return "There " + x->words + " would not be on the table any more.";
     if (!room_.can_be_put(*x, {spot.x, spot.y}))
@@ -191,9 +213,7 @@ std::optional<std::string> TableGoalMaker::put_further(const Shift& shift, doubl
     facts_.push_back(at_waypoint(*x, spot.name));
     spots_.push_back(std::move(spot));
   }
-  if (distance > 0)
-    where += ' ' + std::to_string(std::lround(100 * distance)) + " centimetres";
-  where += ' ' + std::string{shift.words};
+  where += way.words;
   return std::nullopt;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -69,6 +70,13 @@ struct Shift {
   double x;
   double y;
   std::string_view words;
+};
+
+/// All ways that a thing goes from where it is, and their words.
+struct Shifted {
+  double x = 0;
+  double y = 0;
+  std::string words;
 };
 
 inline constexpr double further = 0.08;

@@ -187,6 +187,31 @@ TEST(Directives, AnOrderOfColoursIsTheOneThatIsSaid) {
   }
 }
 
+TEST(Directives, WhatStandsOnEachOtherIsATower) {
+  const auto talk_of = [](const std::vector<std::string>& said, bool is_stacked) {
+    TableScene scene;
+    lay_out(table, scene);
+    if (is_stacked)
+      scene.relate("on", "d", "c");
+    TableTalk talk{[&](auto& asked) { return scene.reply(asked); },
+                   [&](auto& told, auto features) { scene.tell(told, std::move(features)); },
+                   words_of_requests()};
+    Reply reply;
+    for (const auto& x : said)
+      reply = talk.say(x);
+    return reply.steps.empty() ? reply.text : shown(reply.steps.front(), false);
+  };
+  EXPECT_EQ(talk_of({"Take the tower apart."}, true), "put d table");
+  EXPECT_EQ(talk_of({"Dismantle the stack again."}, true), "put d table");
+  EXPECT_EQ(talk_of({"How many things are in the tower?"}, true),
+            "There are two things in the tower.");
+  EXPECT_EQ(talk_of({"How many objects does the tower have?"}, true),
+            "There are two things in the tower.");
+  EXPECT_EQ(talk_of({"What is under the green box?"}, true), "There is a large red cube.");
+  EXPECT_EQ(talk_of({"Take the thing under the green box."}, true), "take c");
+  EXPECT_EQ(talk_of({"Take the tower apart."}, false), "I do not see a tower.");
+}
+
 TEST(Directives, MeasuredPlacesAndQuestionsAreUnderstood) {
   const auto result = figures_of("exact.txt");
   EXPECT_GE(result.all, 65U);

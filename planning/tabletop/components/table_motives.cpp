@@ -117,7 +117,7 @@ class TableMotives final : public HearsRequests {
       else if (x.action == "Wait")
         debug("after the last step it waits anyway"); // "Take the ball and wait."
       else if (x.action == "GoOn")
-        resume_arm(referents.move);
+        resume_arm(referents.move, referents.steps.size() == 1);
       else if (is_question(x.action) || x.action == "Note")
         reply(referents.move, MotiveReply::done, goal_of({x, true}).refusal);
       else if (x.action == "Forbid" || x.action == "Allow")
@@ -163,10 +163,14 @@ class TableMotives final : public HearsRequests {
     command(move, manipulation::PauseArm{}, "I wait.");
   }
 
-  void resume_arm(const EntryPointer<DialogueMove>& move) {
+  /// @param is_alone whether nothing else is asked for: "go on and put it down"
+  void resume_arm(const EntryPointer<DialogueMove>& move, bool is_alone) {
     const bool was_paused = queue_.resume();
-    if (!queue_.go_on() && !was_paused)
-      return reply(move, MotiveReply::impossible, "I have nothing to go on with.");
+    if (!queue_.go_on() && !was_paused) {
+      if (is_alone)
+        reply(move, MotiveReply::impossible, "I have nothing to go on with.");
+      return;
+    }
     remember();
     command(move, manipulation::ResumeArm{}, "I go on.");
   }

@@ -58,6 +58,31 @@ TEST(Regions, tells_what_is_on_the_table_and_where) {
   }
 }
 
+TEST(Regions, are_as_long_as_their_sides_however_they_are_turned) {
+  TabletopSnapshot scene;
+  scene.table.material = TableLook::Material::plain;
+  scene.table.colour = {200, 200, 200};
+  scene.objects = {thing(TabletopShape::cube, {180, 30, 30}, -0.1, 0.05, 0.05),
+                   thing(TabletopShape::sphere, {30, 60, 190}, 0.12, 0.05, 0.06)};
+  scene.objects.front().turned_degrees = 40;
+  const Camera camera = look_at({0, -0.34, 0.92}, {0, 0.02, 0}, 38, 640, 480);
+  const auto regions = find_regions(render(scene, camera), &camera);
+  ASSERT_EQ(regions.size(), 2U);
+  for (const auto& region : regions) {
+    const bool is_cube = region.colour.value == "red";
+    const auto& features = region.roi.features;
+    EXPECT_EQ(region.shape.value, is_cube ? "cube" : "sphere");
+    EXPECT_NEAR(features.lengths.x, is_cube ? 0.05 : 0.06, 0.003) << region.colour.value;
+    // The box around it is as wide as its diagonal.
+    if (is_cube)
+      EXPECT_GT(features.extent.size.x, 0.06);
+  }
+  Camera assumed = camera;
+  assumed.is_assumed = true;
+  for (const auto& region : find_regions(render(scene, camera), &assumed))
+    EXPECT_EQ(region.roi.features.lengths, Point3{});
+}
+
 TEST(Regions, have_no_size_without_a_camera) {
   cv::Mat picture(120, 160, CV_8UC3, cv::Scalar::all(180));
   cv::circle(picture, {80, 60}, 20, {30, 30, 170}, cv::FILLED);

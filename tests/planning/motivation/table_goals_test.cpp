@@ -418,6 +418,17 @@ TEST(TableGoals, ProhibitionsAreNoGoals) {
   EXPECT_EQ(goal_of({"Allow", {"p/a"}, 0, {}, {}}, things).wish, TableWish::allow);
 }
 
+TEST(TableGoals, SeveralWaysAreGoneAtOnce) {
+  const auto goal = goal_of(
+    {"Put", {"p/b"}, 0, {{"further-left", {}, 0.1}, {"further-back", {}, 0.05}}, {}}, table);
+  ASSERT_EQ(goal.spots.size(), 1U);
+  const auto& from = *std::ranges::find(table, "p/b", &TableThing::proxy);
+  EXPECT_NEAR(goal.spots.front().x, from.x - 0.1, 1e-9);
+  EXPECT_NEAR(goal.spots.front().y, from.y + 0.05, 1e-9);
+  EXPECT_THAT(goal.words,
+              testing::EndsWith("10 centimetres further left and 5 centimetres further back"));
+}
+
 TEST(TableGoals, FurtherByALengthIsThatFar) {
   const auto goal = goal_of({"Put", {"p/b"}, 0, {{"further-left", {}, 0.1}}, {}}, table);
   ASSERT_EQ(goal.spots.size(), 1U);
