@@ -6,10 +6,8 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
-#include <utility>
 
 namespace castor::communication {
 
@@ -17,14 +15,11 @@ namespace {
 
 using binding::FeatureKind;
 
-/// Of two sizes, the larger one is larger by so much at least; else they are about the same.
-constexpr double clear_ratio = 1.05;
-
 /// The middle of the table reaches so far towards its outermost things.
 constexpr double table_middle_share = 0.25;
 
-/// Distances and coordinates that differ by less are about the same; metres.
-constexpr double clear_distance = 0.02;
+/// What is no farther from the middle of the table is in it; metres.
+constexpr double least_middle = 0.02;
 
 /// Things are far from each other from this share of the greatest distance on the table, and from
 /// this distance in metres.
@@ -33,40 +28,6 @@ constexpr double least_far_distance = 0.2;
 
 /// "Directly-back" is said of what is behind with nothing between.
 constexpr std::string_view directly = "directly-";
-
-/// A property that things are compared by: its measure, and whether more of it is meant.
-struct Comparative {
-  const char* word;
-  const char* dimension;
-  bool more;
-};
-
-constexpr std::array comparatives{
-  Comparative{"larger", "size", true},         Comparative{"smaller", "size", false},
-  Comparative{"greater", "size", true},        Comparative{"largest", "size", true},
-  Comparative{"smallest", "size", false},      Comparative{"taller", "height", true},
-  Comparative{"lower", "height", false},       Comparative{"tallest", "height", true},
-  Comparative{"lowest", "height", false},      Comparative{"leftmost", "right", false},
-  Comparative{"rightmost", "right", true},     Comparative{"frontmost", "back", false},
-  Comparative{"backmost", "back", true},       Comparative{"nearest", "distance", false},
-  Comparative{"farthest", "distance", true},   Comparative{"nearer", "distance", false},
-  Comparative{"farther", "distance", true},    Comparative{"further-left", "right", false},
-  Comparative{"further-right", "right", true}, Comparative{"further-back", "back", true},
-  Comparative{"further-front", "back", false}, Comparative{"centremost", "centre", false}};
-
-const Comparative* comparative(const std::string& word) {
-  auto found = std::ranges::find_if(comparatives, [&word](auto& x) { return x.word == word; });
-  return found == comparatives.end() ? nullptr : &*found;
-}
-
-bool is_length(const std::string& dimension) {
-  return dimension == "size" || dimension == "height";
-}
-
-/// Whether `a` is clearly more than `b`.
-bool is_clearly_more(double a, double b, const std::string& dimension) {
-  return is_length(dimension) ? a > b * clear_ratio : a > b + clear_distance;
-}
 
 } // namespace
 
@@ -304,8 +265,8 @@ Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& 
   auto at = scene_.place_in_view(id);
   if (!at)
     return Truth::unknown;
-  const double beside = std::max(width * table_middle_share, clear_distance);
-  const double beyond = std::max(depth * table_middle_share, clear_distance);
+  const double beside = std::max(width * table_middle_share, least_middle);
+  const double beyond = std::max(depth * table_middle_share, least_middle);
   if (part == "left")
     return truth_of(at->x < -beside);
   if (part == "right")
@@ -358,205 +319,6 @@ Truth Evaluation::is_between(const std::string& id, const Nominal& anchor) {
   const double along = ((x->x - a->x) * dx + (x->y - a->y) * dy) / (length * length);
   const double aside = std::abs((x->x - a->x) * dy - (x->y - a->y) * dx) / length;
   return truth_of(along > 0 && along < 1 && aside < length / 3);
-}
-
-// -- comparison
-
-std::optional<double> Evaluation::measure(const std::string& id, const std::string& dimension,
-                                          const Nominal* anchor) {
-  if (dimension == "size")
-    return scene_.extent(id);
-  if (dimension == "height")
-    return scene_.height(id);
-  auto at = scene_.place_in_view(id);
-  if (!at)
-    return std::nullopt;
-  if (dimension == "right")
-    return at->x;
-  if (dimension == "centre")
-    return std::hypot(at->x, at->y);
-  if (dimension == "back" || anchor == nullptr)
-    return at->y;
-  auto to = meant(*anchor);
-  auto there = to.size() == 1 ? scene_.place_in_view(to.front()) : std::nullopt;
-  return there ? std::optional{std::hypot(at->x - there->x, at->y - there->y)} : std::nullopt;
-}
-
-/// "The largest", "the second from the left", "closest to the ball".
-Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
-                              const Fitting& among) {
-  const auto* how = comparative(selection.proposition);
-  if (how == nullptr)
-    not_understood(selection.proposition);
-  const auto* anchor = dependent(form_, selection, "Anchor");
-  Things others = among.possible;
-  if (anchor != nullptr && std::string_view{how->dimension} == "distance")
-    for (auto& x : meant(*anchor))
-      std::erase(others, x);
-  if (std::ranges::find(others, id) == others.end())
-    return scene_.open_questions().empty() ? Truth::no : Truth::unknown;
-  // How large rooms are nobody tells.
-  if (!scene_.is_thing(id) && !is_container(id) && others.size() > 1 &&
-      scene_.open_questions().empty() && !measure(id, how->dimension, anchor))
-    throw Uninterpretable{Uninterpretable::Reason::unknown, selection.name};
-  std::size_t rank = 1;
-  if (const auto* ordinal = dependent(form_, selection, "Rank"))
-    rank = rank_of_word(ordinal->proposition).value_or(1);
-  Count before;
-  for (auto& other : others) {
-    if (other == id)
-      continue;
-    const auto& a = how->more ? other : id;
-    const auto& b = how->more ? id : other;
-    const auto is_before = is_more(a, b, how->dimension, anchor);
-    const auto is_after = is_more(b, a, how->dimension, anchor);
-    // Which of two that are about the same comes first, nobody can say.
-    before.add(both(among.contains(other),
-                    is_before == Truth::no && is_after != Truth::yes ? Truth::unknown : is_before));
-  }
-  return is_within(before, {rank - 1, rank - 1});
-}
-
-/// What "the small cube" means in a request where no cube, or several, are small: the clearly
-/// smallest of the things that are so otherwise. "The tall cube" is the tallest, or the only one,
-/// since nothing else says what is tall. Nothing if there is none.
-std::optional<std::string> Evaluation::distinguished_by_size(const Nominal& phrase) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> selections{
-    {{"large", "largest"},
-     {"small", "smallest"},
-     {"tall", "tallest"},
-     {"short", "lowest"},
-     {"high", "tallest"}}};
-  const auto* size = dependent(form_, phrase, "Size");
-  if (size == nullptr || is_negated(*size) || has_containers())
-    return std::nullopt;
-  const auto selection =
-    std::ranges::find(selections, size->proposition, [](const auto& x) { return x.first; });
-  if (selection == selections.end())
-    return std::nullopt;
-  Fitting others;
-  for (const auto& other : candidates(phrase))
-    others.add(other, fits_but_for(other, phrase, *size));
-  const auto all = others.best();
-  const bool is_height = selection->second == "tallest" || selection->second == "lowest";
-  if (!is_height && !is_request())
-    return std::nullopt;
-  if (all.size() == 1 && is_height)
-    return all.front();
-  const Nominal most{"", "selection", std::string{selection->second}, {}, {}};
-  Things found;
-  for (const auto& id : all)
-    if (all.size() > 1 && is_selected(id, most, others) == Truth::yes)
-      found.push_back(id);
-  return found.size() == 1 ? std::optional{found.front()} : std::nullopt;
-}
-
-Truth Evaluation::shares(const std::string& a, const std::string& b, const std::string& quality) {
-  auto kind = vocabulary().kind_of_quality(quality);
-  if (!kind || (is_container(a) && is_container(b))) {
-    auto x = value_of(a, {"", "quality", quality, {}, {}});
-    auto y = value_of(b, {"", "quality", quality, {}, {}});
-    return x && y ? truth_of(*x == *y) : Truth::unknown;
-  }
-  // Of two cubes that are called small, one may be larger. What a cube and a ball of the same size
-  // measure nobody can say.
-  if (*kind == FeatureKind::size) {
-    const auto shape = scene_.words(a, FeatureKind::shape);
-    const auto x = scene_.extent(a);
-    const auto y = scene_.extent(b);
-    if (x && y && !shape.empty() && shape == scene_.words(b, FeatureKind::shape))
-      return truth_of(!is_clearly_more(*x, *y, "size") && !is_clearly_more(*y, *x, "size"));
-  }
-  auto words = scene_.words(a, *kind);
-  if (words.empty())
-    return Truth::unknown;
-  auto result = Truth::no;
-  for (auto& word : words)
-    result = either(result, scene_.has(b, binding::feature(*kind, word)));
-  return result;
-}
-
-bool Evaluation::is_request() const {
-  return std::ranges::any_of(form_.nominals, [](const auto& x) { return x.sort == "action"; });
-}
-
-/// Sizes by the words for them, and where these are the same, by measures.
-Truth Evaluation::is_more(const std::string& a, const std::string& b, const std::string& dimension,
-                          const Nominal* anchor) {
-  if (dimension == "size") {
-    auto is = [&](const std::string& id, const char* word) {
-      return scene_.has(id, binding::feature(FeatureKind::size, word)) == Truth::yes;
-    };
-    if (is(a, "large") && is(b, "small"))
-      return Truth::yes;
-    if (is(a, "small") && is(b, "large"))
-      return Truth::no;
-  }
-  auto x = measure(a, dimension, anchor);
-  auto y = measure(b, dimension, anchor);
-  // "Give me the farthest thing": of two that are about as far away, either will do.
-  if (x && y && is_request() && !is_length(dimension))
-    return truth_of(*x > *y);
-  return x && y ? truth_of(is_clearly_more(*x, *y, dimension)) : Truth::unknown;
-}
-
-/// "Closer to the ball than to the cube".
-Truth Evaluation::compares_distances(const std::string& id, const Nominal& comparison,
-                                     const Nominal& other) {
-  const auto a = measure(id, "distance", &need(comparison, "Anchor"));
-  const auto b = measure(id, "distance", &other);
-  if (!a || !b)
-    return Truth::unknown;
-  const bool is_nearer = comparison.proposition == "nearer";
-  if (std::abs(*a - *b) <= clear_distance)
-    return Truth::unknown;
-  return truth_of((*a < *b) == is_nearer);
-}
-
-Truth Evaluation::compares(const std::string& id, const Nominal& comparison) {
-  if (const auto* other = dependent(form_, comparison, "OtherAnchor"))
-    return compares_distances(id, comparison, *other);
-  if (dependent(form_, comparison, "Than") == nullptr && related_.empty())
-    return compares_with_before(id, comparison);
-  if (dependent(form_, comparison, "Than") == nullptr && !related_.empty())
-    return differs_from_context(id, comparison);
-  auto& than = need(comparison, "Than");
-  ScopedValue related{related_, id};
-  if (const auto* quality = dependent(form_, comparison, "Quality")) {
-    const bool same = comparison.proposition == "same";
-    if (!same && comparison.proposition != "different")
-      not_understood(comparison.proposition);
-    return quantified(than, [&](const std::string& other) {
-      if (other == id)
-        return Truth::no;
-      auto shared = shares(id, other, quality->proposition);
-      return same ? shared : negation(shared);
-    });
-  }
-  if (comparison.proposition == "as-large" || comparison.proposition == "as-small")
-    return quantified(than, [&](const std::string& other) {
-      return other == id ? Truth::no
-                         : both(negation(is_more(id, other, "size", nullptr)),
-                                negation(is_more(other, id, "size", nullptr)));
-    });
-  const auto* how = comparative(comparison.proposition);
-  if (how == nullptr)
-    not_understood(comparison.proposition);
-  const auto* anchor = dependent(form_, comparison, "Anchor");
-  const auto is_so = [&](const std::string& other) {
-    if (other == id)
-      return Truth::no;
-    return how->more ? is_more(id, other, how->dimension, anchor)
-                     : is_more(other, id, how->dimension, anchor);
-  };
-  const auto result = quantified(than, is_so);
-  if (feature(than, "Delimitation") != "any" || result != Truth::yes || has_containers())
-    return result;
-  // "Larger than any ball" may mean than one or than each: nothing is said where that differs.
-  for (const auto& other : described(than).certain)
-    if (other != id && is_so(other) != Truth::yes)
-      return Truth::unknown;
-  return result;
 }
 
 } // namespace castor::communication

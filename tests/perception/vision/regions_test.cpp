@@ -74,8 +74,9 @@ TEST(Regions, are_as_long_as_their_sides_however_they_are_turned) {
     EXPECT_EQ(region.shape.value, is_cube ? "cube" : "sphere");
     EXPECT_NEAR(features.lengths.x, is_cube ? 0.05 : 0.06, 0.003) << region.colour.value;
     // The box around it is as wide as its diagonal.
-    if (is_cube)
+    if (is_cube) {
       EXPECT_GT(features.extent.size.x, 0.06);
+    }
   }
   Camera assumed = camera;
   assumed.is_assumed = true;
