@@ -55,6 +55,7 @@ void DirectiveThings::end_step(bool names_things) {
     last_ = current_;
   else
     last_.reset();
+  is_last_each_ = is_current_each_;
 }
 
 void DirectiveThings::note_clause(const Nominal& clause) {
@@ -93,7 +94,9 @@ std::optional<MeantThings> DirectiveThings::of_step_before(const Nominal& phrase
     return std::nullopt;
   if (!last_)
     return of_clause(phrase);
-  if (is_plural(phrase) != (count_of(*last_) > 1))
+  // "Take each cube and put it on the left."
+  const bool is_each = !is_plural(phrase) && is_last_each_;
+  if (!is_each && is_plural(phrase) != (count_of(*last_) > 1))
     return std::nullopt;
   return last_;
 }
@@ -109,8 +112,10 @@ std::optional<MeantThings> DirectiveThings::of_clause(const Nominal& phrase) con
 
 MeantThings DirectiveThings::things(const Nominal& phrase) {
   auto result = things_of(phrase);
-  if (!result.things.empty())
+  if (!result.things.empty()) {
     current_ = result;
+    is_current_each_ = !is_pronoun(phrase) && !is_plural(phrase) && count_of(result) > 1;
+  }
   return result;
 }
 

@@ -93,6 +93,9 @@ private:
   /// What the step before was about, and what this one is.
   std::optional<MeantThings> last_;
   MeantThings current_;
+  /// Whether these are several in the singular: "each cube".
+  bool is_last_each_ = false;
+  bool is_current_each_ = false;
   /// What the request has named so far.
   Things mentioned_;
   /// "One of the balls ..., and the other one ...": those of a kind that are not chosen yet.
