@@ -28,14 +28,18 @@ Address RequestQueue::drop_last() {
                                                           : Address{};
 }
 
-/// Whether another thing was taken by the last step, which is done.
-bool RequestQueue::holds_other_than(const RequestedStep& step) const {
+/// Whether the last step, which is done, took another thing, or put another one there.
+bool RequestQueue::moved_other_than(const RequestedStep& step) const {
   const auto& last = steps_.current.what;
-  return !is_busy() && steps_.waiting.empty() && steps_.given_up.empty() && last.action == "Take" &&
-         last.number == 0 && step.what.action == "Take" && step.what.things != last.things;
+  const bool is_same_deed = last.action == step.what.action && last.places == step.what.places;
+  const bool is_undone =
+    last.action == "Take" || (last.action == "Put" && !last.places.empty() &&
+                              last.things.size() == 1 && step.what.things.size() == 1);
+  return !is_busy() && steps_.waiting.empty() && steps_.given_up.empty() && is_same_deed &&
+         is_undone && last.number == 0 && step.what.things != last.things;
 }
 
-/// "Wrong, the red cube": what was taken is put down where it was.
+/// "Wrong, the red cube": what was moved is put back where it was.
 RequestedStep RequestQueue::put_back_before(const RequestedStep& step) const {
   RequestedStep back{step.move, {}, step.agrees_to};
   back.what.action = "PutBack";
@@ -47,7 +51,7 @@ Address RequestQueue::add(const std::vector<RequestedStep>& steps,
                           const communication::MoveReferents& said) {
   auto& waiting = steps_.waiting;
   Address unwanted;
-  if (said.corrects && !steps.empty() && holds_other_than(steps.front()))
+  if (said.corrects && !steps.empty() && moved_other_than(steps.front()))
     waiting.push_back(put_back_before(steps.front()));
   else if (said.corrects)
     unwanted = drop_last();

@@ -21,7 +21,7 @@ public:
   /// - they follow them;
   /// - `comes_first`: the step that is done, or the request that was given up last, comes after;
   /// - `corrects`: they take the place of the last request that is not done yet, if there is one.
-  ///   If another thing was taken, it is put back first.
+  ///   If another thing was taken, or put there, it is put back first.
   /// \returns the motive that is not wanted now; without an id for none
   Address add(const std::vector<RequestedStep>& steps, const communication::MoveReferents& said);
 
@@ -50,7 +50,7 @@ public:
   void give_up(bool undoes = false);
 
 private:
-  bool holds_other_than(const RequestedStep& step) const;
+  bool moved_other_than(const RequestedStep& step) const;
   RequestedStep put_back_before(const RequestedStep& step) const;
   Address drop_last();
   void drop_steps_of(const Address& move);

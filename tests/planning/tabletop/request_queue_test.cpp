@@ -90,6 +90,37 @@ TEST_F(RequestQueueTest, PutsBackWhatWasTakenByMistake) {
   EXPECT_THAT(rest(), ElementsAre("Take"));
 }
 
+TEST_F(RequestQueueTest, PutsBackWhatWasPutThereByMistake) {
+  auto wrong = step("a", "Put");
+  wrong.what.things = {"cylinder"};
+  wrong.what.places = {{"left", {"ball"}}};
+  auto right = wrong;
+  right.move = {Address{"communication", "b"}};
+  right.what.things = {"disc"};
+  queue.add({wrong}, {});
+  begin();
+  queue.done();
+  queue.add({right}, correction());
+  const auto* next = queue.next();
+  ASSERT_NE(next, nullptr);
+  EXPECT_EQ(next->what.action, "PutBack");
+  EXPECT_THAT(next->what.things, ElementsAre("cylinder"));
+  EXPECT_THAT(rest(), ElementsAre("Put"));
+}
+
+TEST_F(RequestQueueTest, PutsNothingBackIfAnotherPlaceIsMeant) {
+  auto wrong = step("a", "Put");
+  wrong.what.things = {"cylinder"};
+  wrong.what.places = {{"left", {"ball"}}};
+  auto right = wrong;
+  right.what.places = {{"left", {"disc"}}};
+  queue.add({wrong}, {});
+  begin();
+  queue.done();
+  queue.add({right}, correction());
+  EXPECT_THAT(rest(), ElementsAre("Put"));
+}
+
 TEST_F(RequestQueueTest, PutsNothingBackThatIsNotHeldOrIsMeantOnceMore) {
   auto taken = step("a", "Take");
   taken.what.things = {"cylinder"};
