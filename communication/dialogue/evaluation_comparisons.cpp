@@ -20,6 +20,9 @@ using binding::FeatureKind;
 /// Of two sizes, the larger one is larger by so much at least; else they are about the same.
 constexpr double clear_ratio = 1.05;
 
+/// Who calls two things as large allows for more.
+constexpr double same_ratio = 1.1;
+
 /// Distances and coordinates that differ by less are about the same; metres.
 constexpr double clear_distance = 0.02;
 
@@ -162,7 +165,7 @@ Truth Evaluation::shares(const std::string& a, const std::string& b, const std::
     const auto x = scene_.extent(a);
     const auto y = scene_.extent(b);
     if (x && y && !shape.empty() && shape == scene_.words(b, FeatureKind::shape))
-      return truth_of(!is_clearly_more(*x, *y, "size") && !is_clearly_more(*y, *x, "size"));
+      return truth_of(std::max(*x, *y) <= same_ratio * std::min(*x, *y));
   }
   auto words = scene_.words(a, *kind);
   if (words.empty())
