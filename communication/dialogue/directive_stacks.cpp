@@ -45,11 +45,9 @@ MeantThings DirectiveThings::in_stacking_order(const Nominal& patient, const Nom
 /// "The tower": the only thing that others stand on, while it stands on the table itself; nothing
 /// for other phrases, and if there are several.
 std::vector<std::string> DirectiveThings::bottom_of_stack(const Nominal& phrase) {
-  if (!is_tower(phrase))
-    return {};
-  if (!stack_.empty())
+  if (is_tower(phrase) && !stack_.empty())
     return stack_;
-  auto result = only_stack(scene_);
+  auto result = whole_stack(phrase);
   if (result.size() > 1)
     result.resize(1);
   return result;

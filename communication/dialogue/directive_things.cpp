@@ -136,10 +136,15 @@ std::optional<std::string> DirectiveThings::named_before(const Nominal& phrase) 
 }
 
 Things DirectiveThings::as_thing(const Nominal& phrase) {
-  auto form = form_;
-  auto& thing = *find_nominal(form, phrase.name);
-  thing.proposition = "thing";
-  return Evaluation{form, antecedents_, scene_}.meant(thing);
+  const auto form = with_thing_for(phrase);
+  return Evaluation{form, antecedents_, scene_}.meant(*find_nominal(form, phrase.name));
+}
+
+/// "The yellow one" is any yellow thing.
+LogicalForm DirectiveThings::with_thing_for(const Nominal& phrase) const {
+  auto result = form_;
+  find_nominal(result, phrase.name)->proposition = "thing";
+  return result;
 }
 
 /// "The glasses", "my forks": what the robot cannot see to be one, and of which nobody has said
@@ -364,8 +369,7 @@ Things DirectiveThings::ends_named(const Nominal& phrase, const Things& things) 
   } catch (const Uninterpretable& e) {
     if (e.what != phrase.name)
       throw;
-    auto form = form_;
-    find_nominal(form, phrase.name)->proposition = "thing";
+    const auto form = with_thing_for(phrase);
     auto like = Evaluation{form, antecedents_, scene_}.described(*find_nominal(form, phrase.name));
     std::erase_if(like.certain,
                   [&](const auto& id) { return std::ranges::find(things, id) == things.end(); });

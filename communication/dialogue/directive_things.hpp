@@ -71,6 +71,7 @@ private:
   bool names_nothing_seen(const Nominal& phrase);
   Things bottom_of_stack(const Nominal& phrase);
   Things whole_stack(const Nominal& phrase);
+  LogicalForm with_thing_for(const Nominal& phrase) const;
   Things as_thing(const Nominal& phrase);
   std::optional<std::string> named_before(const Nominal& phrase);
   Things ends_named(const Nominal& phrase, const Things& things);

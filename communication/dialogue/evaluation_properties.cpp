@@ -142,9 +142,10 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   // Nobody has said where the corners and the sides of the table are.
   if (anchor != nullptr && anchor->sort == "place" && !has_containers())
     not_understood(anchor->proposition);
-  if (relation == "in" && anchor != nullptr && is_tower(*anchor) && !has_containers())
-    if (const auto stack = only_stack(scene_); !stack.empty())
-      return truth_of(std::ranges::find(stack, id) != stack.end());
+  if (relation == "in" && anchor != nullptr && is_stack(*anchor)) {
+    const auto stack = only_stack(scene_);
+    return truth_of(std::ranges::find(stack, id) != stack.end());
+  }
   if (auto result = is_in_container_part(id, region))
     return *result;
   if (anchor != nullptr)

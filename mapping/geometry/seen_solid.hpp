@@ -21,6 +21,9 @@ struct SeenSolid {
   double height_deviation = 0;
 };
 
+/// Outlines that fit worse are partly hidden, or those of other shapes; pixels.
+inline constexpr double good_outline_fit = 1.5;
+
 /// The solid of this shape whose outline in the picture is nearest to that: position, turn and
 /// sizes are fitted by damped least squares (Levenberg and Marquardt) to the supports of the
 /// outline's convex hull. Nothing if its foot is not on the visible table.

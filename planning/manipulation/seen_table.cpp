@@ -19,8 +19,6 @@ using geometry::SeenSolid;
 
 // Outlines that fit worse are those of other shapes, or of several things; pixels.
 constexpr double worst_fit = 6;
-// Outlines that fit worse may be those of another shape than vision says, pixels.
-constexpr double good_fit = 1.5;
 // How far surfaces are off at most, where the outline fits; metres. Of 193 things on random tables
 // few were more than that larger than seen, and those higher only.
 constexpr double fitted_uncertainty = 0.002;
@@ -60,7 +58,7 @@ std::optional<SeenSolid> solid_of(const vision::SceneObject& x, const SeenEntrie
       if (std::ranges::find(x.roi_ids, other) == x.roi_ids.end())
         others.push_back(seen.contour);
     auto fitted = geometry::seen_solid(x.shape.value, contour, *entries.camera, others);
-    if (!fitted || fitted->error > good_fit)
+    if (!fitted || fitted->error > geometry::good_outline_fit)
       for (const char* shape : {"cylinder", "box"})
         if (auto other = geometry::seen_solid(shape, contour, *entries.camera, others);
             other && is_plausible(x.shape.value, other->solid) &&

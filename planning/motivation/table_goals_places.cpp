@@ -83,7 +83,8 @@ TableGoal TableGoalMaker::put() {
   const auto places = with_middles_of_sides(step_.places);
   const auto part = std::ranges::find_if(
     places, [](const DirectivePlace& x) { return !words_for(part_words, x.relation).empty(); });
-  auto way = further_along(places);
+  // Several ways are gone at once.
+  const auto first_shift = std::ranges::find_if(places, is_shift);
   for (const auto& place : places) {
     if (communication::is_arrangement(place.relation)) {
       if (part == places.end())
@@ -111,9 +112,9 @@ TableGoal TableGoalMaker::put() {
       return put_on_both_sides(place);
     if (place.relation == "where" || place.relation == "where-before")
       return put_where_another_is(place, verb);
-    if (is_shift(place) && way.words.empty())
+    if (is_shift(place) && &place != &*first_shift)
       continue;
-    auto problem = is_shift(place)              ? put_further(std::exchange(way, {}), where)
+    auto problem = is_shift(place)              ? put_further(further_along(places), where)
                    : place.relation == "on-top" ? put_on_top(where)
                    : is_measured_place(place)   ? put_at_spot(place, where)
                    : place.landmarks.empty()    ? put_in_part(place, where)

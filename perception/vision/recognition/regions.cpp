@@ -14,16 +14,13 @@ namespace castor::vision {
 
 namespace {
 
-// Outlines that fit worse are partly hidden, or those of other shapes; pixels.
-constexpr double good_fit = 1.5;
-
 Point3 lengths_of(const std::string& shape, const std::vector<Point2>& contour,
                   const Camera& camera) {
   const bool is_solid = shape == "cube" || shape == "cylinder" || shape == "sphere";
   if (!is_solid || camera.is_assumed)
     return {};
   const auto seen = geometry::seen_solid(shape, contour, camera);
-  return seen && seen->error <= good_fit ? seen->solid.size : Point3{};
+  return seen && seen->error <= geometry::good_outline_fit ? seen->solid.size : Point3{};
 }
 
 } // namespace
