@@ -6,7 +6,7 @@ What stands before a fence says what is in it:
     From `NAME`:                  a part of a file that the reader has
     (a fence of the language sh)  commands that the reader types, one after the other, and that succeed; in
                                   Castor's source tree if the paragraph before says "source tree"
-    (a fence without a language)  lines, or parts of lines, that the last commands printed; `...` is any
+    (a fence without a language)  lines, or parts of lines, that the last commands printed; `...` is any text
 
 A line that begins with a command in backquotes is typed, too. What follows says what becomes of it:
 

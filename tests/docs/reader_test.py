@@ -37,6 +37,11 @@ class Readers(unittest.TestCase):
         self.follow("`cmake -E echo one` says:", "```", "one", "```")
         self.check_false("page.md:2: the page shows\n    two\nbut", "`cmake -E echo one` says:", "```", "two", "```")
 
+    def test_dots_are_any_text_within_a_line(self):
+        self.follow("`cmake -E echo size 0.61, red` says:", "```", "size ..., red", "```")
+        self.check_false("the page shows", "`cmake -E echo size 0.61, red` says:", "```", "size ..., blue", "```")
+        self.check_false("the page shows", "```sh", "echo one", "echo two", "```", "```", "one...two", "```")
+
     def test_commands_have_to_end_as_the_page_says(self):
         self.follow("`cmake -E true` succeeds")
         self.follow("`cmake -E false` fails")
