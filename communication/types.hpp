@@ -147,6 +147,22 @@ struct PartialRequest {
   friend bool operator==(const PartialRequest&, const PartialRequest&) = default;
 };
 
+/// What the speaker says in an utterance besides what the form of the utterance is of, and what has
+/// to wait for that: "put the ball on the left, and then tell me where it is".
+struct Sequel {
+  /// As somebody would say it next; empty for nothing.
+  std::string words;
+  /// Whether it asks a question, which has an answer whatever became of what it waits for.
+  bool is_question = false;
+  /// The form is of a question, and the words are said only if its answer is yes: "if the ball is
+  /// red, take it".
+  bool is_conditional = false;
+  /// What is said if that answer is no; empty for nothing.
+  std::string otherwise = {};
+
+  friend bool operator==(const Sequel&, const Sequel&) = default;
+};
+
 enum class InterpretationState {
   /// More words may come; the forms are partial ones.
   unfinished,
@@ -178,6 +194,8 @@ struct PackedLogicalForm {
   std::optional<PartialRequest> partial = {};
   /// The thing that it names, if it is a remark or not understood: "it" may stand for that next.
   std::optional<LogicalForm> mention = {};
+  /// What waits for it.
+  std::optional<Sequel> sequel = {};
 
   friend bool operator==(const PackedLogicalForm&, const PackedLogicalForm&) = default;
 };
@@ -239,6 +257,8 @@ struct DialogueMove {
   std::optional<PartialRequest> partial = {};
   /// The thing that it names, if it is a remark or not understood.
   std::optional<LogicalForm> mention = {};
+  /// What waits for it.
+  std::optional<Sequel> sequel = {};
 };
 
 /// Somebody points at a place on the table: what "this" and "the cube here" are about, until
@@ -424,16 +444,17 @@ CASTOR_REFLECT(PackedNominal, name, sorts, propositions, features, relations)
 CASTOR_REFLECT(Unparsable, first_word, words, text, reason, suggestions)
 CASTOR_REFLECT(SpellingCorrection, word, meant)
 CASTOR_REFLECT(PartialRequest, left_out, words, lacks_place)
+CASTOR_REFLECT(Sequel, words, is_question, is_conditional, otherwise)
 CASTOR_REFLECT_ENUM(InterpretationState, unfinished, finished, pruned)
 CASTOR_REFLECT(PackedLogicalForm, utterance, text, turn, string_position, state, readings, roots,
-               nominals, unparsable, corrections, partial, mention)
+               nominals, unparsable, corrections, partial, mention, sequel)
 CASTOR_REFLECT(InterpretationSupport, head, mode, dependent, supported)
 CASTOR_REFLECT_ENUM(DialogueMoveType, none, assertion, action_directive, question_w, question_yn,
                     opening, closing, accept, reject, small_talk)
 CASTOR_REFLECT(ContextSource, component)
 CASTOR_REFLECT(ContextInfo, form, supports)
 CASTOR_REFLECT(DialogueMove, type, content, alternatives, corrections, turn, problem, utterance,
-               action, partial, mention)
+               action, partial, mention, sequel)
 CASTOR_REFLECT(Pointing, x, y, time, held)
 CASTOR_REFLECT(PointingUse, pointing, version, taken_up)
 CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)

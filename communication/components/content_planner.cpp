@@ -7,8 +7,10 @@
 #include "castor/communication/dialogue/question_context.hpp"
 #include "castor/communication/dialogue/respond.hpp"
 #include "castor/communication/dialogue/salience.hpp"
+#include "castor/communication/dialogue/sequels.hpp"
 #include "castor/communication/dialogue/small_talk.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/planning/motivation/types.hpp"
 #include "castor/planning/tabletop/types.hpp"
@@ -17,6 +19,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,18 +32,24 @@ namespace {
 class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
   void start() override {
     on_change(added<MoveReferents>(), [this](const ChangeEvent& event) { look(event.address); });
-    if (!motivation_->empty())
-      on_change(added<planning::MotiveAcknowledgement>().in(motivation_),
-                [this](const ChangeEvent& event) { tell(event.address); });
+    if (motivation_->empty())
+      return;
+    on_change(added<planning::MotiveAcknowledgement>().in(motivation_),
+              [this](const ChangeEvent& event) { tell(event.address); });
+    on_change(added<planning::RequestEnded>().in(motivation_),
+              [this](const ChangeEvent& event) { say_sequel_after(event.address); });
   }
 
   void run() override {
     // What a predecessor did not get to. Binding, which is asked, may be started after this.
     for (auto& x : read_all<MoveReferents>())
       look(x.address);
-    if (!motivation_->empty())
-      for (auto& x : read_all_in<planning::MotiveAcknowledgement>(motivation_))
-        tell(x.address);
+    if (motivation_->empty())
+      return;
+    for (auto& x : read_all_in<planning::MotiveAcknowledgement>(motivation_))
+      tell(x.address);
+    for (auto& x : read_all_in<planning::RequestEnded>(motivation_))
+      say_sequel_after(x.address);
   }
 
   /// What becomes of a request, as who decides on that says.
@@ -50,6 +59,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
       if (!told->cause.points_to<DialogueMove>())
         return;
       const auto move = told->cause.as<DialogueMove>();
+      if (moves_asked_whether_.contains(move.address.id))
+        last_answer_ = told->reply == planning::MotiveReply::done;
       const auto relation = told->reply == planning::MotiveReply::accepted
                               ? RhetoricalRelation::acceptance
                               : RhetoricalRelation::answer;
@@ -57,6 +68,34 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
           SpokenOutputItem{told->words, move, follow(move)->utterance, relation});
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
+    } catch (const AlreadyExistsOnWM& e) {
+      debug("{}", e.what());
+    }
+  }
+
+  /// What waits for a request is said as if it were heard now. A request is not: what it waits for
+  /// has failed.
+  void say_sequel_after(const Address& address) {
+    try {
+      const auto ended = read<planning::RequestEnded>(address);
+      const auto clarified = sequels_.find(ended->move.address.id);
+      const auto sequel =
+        clarified == sequels_.end() ? follow(ended->move)->sequel : clarified->second;
+      if (sequel && !sequel->is_conditional && (ended->is_done || sequel->is_question))
+        say(ended->move, sequel->words);
+    } catch (const DoesNotExistOnWM& e) {
+      debug("{}", e.what());
+    }
+  }
+
+  /// Once for each move.
+  void say(const EntryPointer<DialogueMove>& after, const std::string& words) {
+    PhonString utterance;
+    utterance.word_sequence = words;
+    utterance.length = static_cast<std::int32_t>(words_of(words).size());
+    utterance.turn = static_cast<std::int32_t>(read_all<PhonString>().size());
+    try {
+      add(here("utterance after " + after.address.id), std::move(utterance));
     } catch (const AlreadyExistsOnWM& e) {
       debug("{}", e.what());
     }
@@ -94,6 +133,15 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     // What is not clear is asked back, and not asked of who does it.
     if (const auto text = referents.is_unclear ? std::nullopt : about_motives(move, referents))
       response = {RhetoricalRelation::answer, {}, *text, {}};
+    if (referents.asks_whether_possible)
+      moves_asked_whether_.insert(referents.move.address.id);
+    const bool waits = !referents.steps.empty() && !referents.asks_whether_possible;
+    const auto truth = truth_said(response);
+    auto next = continued(meant.move, std::move(response), last_answer_);
+    response = std::move(next.response);
+    last_answer_ = truth ? truth : last_answer_;
+    if (waits && meant.move.sequel)
+      sequels_.emplace(referents.move.address.id, *meant.move.sequel);
     WriteBatch batch;
     for (auto& text : {said_back(move), response.text})
       if (!text.empty())
@@ -104,6 +152,8 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
         reply_id(referents.move, batch.items().size()),
         ContentPlanningGoal{content, simpler, referents.move, move.utterance, response.relation});
     write(batch);
+    if (!next.sequel.empty() && !waits && !referents.is_unclear)
+      say(referents.move, next.sequel);
   }
 
   /// Asks in the words of whoever would do it, or says why that is impossible. As the response says
@@ -193,6 +243,12 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     this, "table", "", "the subarchitecture that knows what was moved; empty if there is none"};
 
   std::optional<QuestionContext> questions_;
+  /// Whether the last question was answered by yes.
+  std::optional<bool> last_answer_;
+  /// Moves by which it is only asked whether something can be done.
+  std::set<std::string, std::less<>> moves_asked_whether_;
+  /// What waits for requests that were clarified, by their moves.
+  std::map<std::string, Sequel, std::less<>> sequels_;
 };
 
 CASTOR_COMPONENT(ContentPlanner, "decides what to say in reply")

@@ -44,6 +44,7 @@ class DialogueInterpreter final : public UsesLexicon<UnmanagedComponent> {
     move.corrections = form.corrections;
     move.partial = form.partial;
     move.mention = form.mention;
+    move.sequel = form.sequel;
     if (!is_understood(form))
       move.problem = problem_of(form, lexicon()->meanings());
     else

@@ -1,12 +1,9 @@
 #include "castor/actors/component/registry.hpp"
 #include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/communication/components/uses_lexicon.hpp"
-#include "castor/communication/dialogue/likely_meaning.hpp"
-#include "castor/communication/dialogue/partial_requests.hpp"
-#include "castor/communication/dialogue/reparsing.hpp"
+#include "castor/communication/dialogue/understanding.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/parser.hpp"
-#include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 #include "castor/communication/types.hpp"
 #include "castor/wm/entries/failure.hpp"
@@ -82,26 +79,8 @@ class UtteranceParser final : public UsesLexicon<UnmanagedComponent> {
 
   PackedLogicalForm parse(const Address& address) {
     auto utterance = read<PhonString>(address);
-    IncrementalParse parse{*parser_};
-    auto words = words_of(utterance->word_sequence);
-    const auto said = words;
-    auto corrections = correct_spelling(words, parser_->lexicon());
-    for (auto& word : words) {
-      parse.add(word);
-      tell(address, parse.form(), *utterance);
-    }
-    parse.finish();
-    auto form = parse.form();
-    if (auto other = reparsed(*parser_, words, form))
-      form = std::move(*other);
-    else if (!is_understood(form)) {
-      if (auto part = partly_understood(*parser_, said, words, corrections)) {
-        form = std::move(*part);
-        corrections.clear();
-      } else
-        form.mention = LikelyMeaning{*parser_, said}.mention();
-    }
-    form.corrections.insert(form.corrections.begin(), corrections.begin(), corrections.end());
+    auto form = understood(*parser_, words_of(utterance->word_sequence),
+                           [&](const PackedLogicalForm& part) { tell(address, part, *utterance); });
     return tell(address, std::move(form), *utterance);
   }
 

@@ -163,7 +163,7 @@ class UtteranceSource final : public UnmanagedComponent {
       PhonString utterance;
       utterance.length = static_cast<std::int32_t>(words_of(sentence).size());
       utterance.word_sequence = sentence;
-      utterance.turn = said_;
+      utterance.turn = static_cast<std::int32_t>(read_all<PhonString>().size());
       // One that is started again does not repeat itself.
       auto address = here("utterance " + std::to_string(++said_));
       try {

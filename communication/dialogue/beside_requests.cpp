@@ -71,28 +71,12 @@ bool is_clear_request(const PackedLogicalForm& form, bool is_after) {
   });
 }
 
-/// With the thing that is named before in the place of "it", unless another one is named in
-/// between.
-WordList with_thing_before(Parser& parser, WordList words, const WordList& before) {
-  const auto pronoun = std::ranges::find_if(words, [](const auto& x) {
-    return is_among(x, {"it", "them"});
-  });
-  const bool is_named_between = std::any_of(words.begin(), pronoun, [&](const auto& x) {
-    return name_of_things(parser, {x}) || is_among(x, {"the", "everything", "one", "ones"});
-  });
-  if (pronoun == words.end() || is_named_between)
-    return words;
-  if (const auto name = LikelyMeaning{parser, before}.name())
-    words.insert(words.erase(pronoun), name->begin(), name->end());
-  return words;
-}
-
 std::optional<PackedLogicalForm> clear_request(Parser& parser, WordList words,
                                                const WordList& left_out, bool is_after) {
   if (words.empty() || left_out.empty())
     return std::nullopt;
   if (is_after)
-    words = with_thing_before(parser, std::move(words), left_out);
+    words = with_thing_of(parser, std::move(words), left_out);
   auto form = parser.parse_whole(words);
   if (!form)
     form = LikelyMeaning{parser, words}.likely();

@@ -107,12 +107,13 @@ DialogueMoveType dialogue_move_type(const LogicalForm& form) {
 }
 
 void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
+  // "If the ball is red, ..."
+  const bool is_question = form.text.ends_with('?') || (form.sequel && form.sequel->is_conditional);
   // "The ball on the left?"
-  const bool is_asked =
-    form.text.ends_with('?') && std::ranges::any_of(form.readings, [&](const Reading& x) {
-      const auto said = unpack(form, x.id);
-      return said.size() == 1 && !is_verbless(said.front());
-    });
+  const bool is_asked = is_question && std::ranges::any_of(form.readings, [&](const Reading& x) {
+                          const auto said = unpack(form, x.id);
+                          return said.size() == 1 && !is_verbless(said.front());
+                        });
   for (auto& reading : form.readings) {
     auto said = unpack(form, reading.id);
     if (said.size() != 1)
@@ -120,7 +121,7 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
     said.front() = reunited(std::move(said.front()));
     if (is_asked && is_verbless(said.front()))
       continue;
-    if (form.text.ends_with('?'))
+    if (is_question)
       said.front() = as_question(std::move(said.front()));
     if (move.content.nominals.empty()) {
       move.type = dialogue_move_type(said.front());

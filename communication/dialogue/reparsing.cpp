@@ -5,6 +5,7 @@
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/function_words.hpp"
 #include "castor/communication/dialogue/likely_meaning.hpp"
+#include "castor/communication/dialogue/sequels.hpp"
 #include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/packing.hpp"
@@ -28,9 +29,13 @@ constexpr std::size_t most_repetitions = 3;
 /// Of an utterance that is not understood as it stands.
 std::optional<PackedLogicalForm> parsed_otherwise(Parser& parser, const WordList& words,
                                                   const PackedLogicalForm& form) {
+  if (auto result = parsed_question_beside(parser, words))
+    return result;
   if (auto result = parsed_without_asides(parser, words))
     return result;
   if (auto result = parsed_request_alone(parser, words))
+    return result;
+  if (auto result = parsed_in_order(parser, words))
     return result;
   if (auto result = parsed_prohibition_alone(parser, words))
     return result;
@@ -86,8 +91,11 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
       return result;
   if (auto result = parsed_without_asking(parser, words))
     return result;
-  if (is_understood(form))
-    return std::nullopt;
+  if (is_understood(form)) {
+    if (has_condition_on_it(words))
+      return parsed_in_order(parser, words);
+    return asks_about_answer(words) ? parsed_question_beside(parser, words) : std::nullopt;
+  }
   const auto whole = with_articles(parser, words);
   if (auto result = whole ? parser.parse_whole(*whole) : std::nullopt;
       result && asks_for_handling(*result, parser.lexicon()))

@@ -130,6 +130,15 @@ bool is_after_title(std::string_view text) {
   return std::ranges::find(titles, word) != titles.end();
 }
 
+/// "Otherwise, leave it there": says nothing without the sentence before.
+bool goes_on_with_condition(std::string_view before, std::string_view rest) {
+  const auto first = words_of(rest.substr(0, rest.find_first_of(",.!?")));
+  const bool is_alternative = !first.empty() && (first.front() == "otherwise" ||
+                                                 first == std::vector<std::string>{"if", "not"});
+  const auto words = words_of(before);
+  return is_alternative && std::ranges::find(words, "if") != words.end();
+}
+
 } // namespace
 
 std::vector<std::string> words_of(std::string_view utterance) {
@@ -169,6 +178,8 @@ std::vector<std::string> sentences_of(std::string_view text) {
     if (!is_last && text[i] == '.' && is_after_title(text.substr(begin, i - begin)))
       continue;
     const auto sentence = text.substr(begin, i + 1 - begin);
+    if (goes_on_with_condition(sentence, text.substr(i + 1)))
+      continue;
     begin = i + 1;
     if (!words_of(sentence).empty())
       sentences.emplace_back(sentence.substr(sentence.find_first_not_of(" \n")));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/actors/component/entry_pointer.hpp"
+#include "castor/communication/types.hpp"
 #include "castor/planning/continual/types.hpp"
 #include "castor/wm/values/reflect.hpp"
 
@@ -82,6 +83,13 @@ struct MotiveAcknowledgement {
   std::vector<std::string> things = {};
 };
 
+/// Nothing is left to be done for a request: told when its last step is done, or when it is given
+/// up, but not when people stop it.
+struct RequestEnded {
+  EntryPointer<communication::DialogueMove> move;
+  bool is_done = true;
+};
+
 enum class MotiveQuestionKind : std::uint8_t { doing, next, why, why_not, done, whether };
 CASTOR_REFLECT_ENUM(MotiveQuestionKind, doing, next, why, why_not, done, whether)
 
@@ -122,6 +130,7 @@ CASTOR_REFLECT(MotiveEvent, time, status, why)
 CASTOR_REFLECT(Motive, kind, goal, words, because, asker, cause, about, priority, cost, resources,
                patience, status, history)
 CASTOR_REFLECT(MotiveAcknowledgement, motive, asker, cause, reply, words, things)
+CASTOR_REFLECT(RequestEnded, move, is_done)
 CASTOR_REFLECT(MotiveQuestion, kind, about)
 CASTOR_REFLECT(MotiveAnswer, words)
 

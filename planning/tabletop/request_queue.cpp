@@ -14,6 +14,12 @@ void RequestQueue::recall(RequestedSteps x, bool is_motive_there) {
   }
 }
 
+bool RequestQueue::has_steps_of(const Address& move) const {
+  return (is_busy() && steps_.current.move.address == move) ||
+         std::ranges::any_of(steps_.waiting,
+                             [&](const RequestedStep& x) { return x.move.address == move; });
+}
+
 void RequestQueue::drop_steps_of(const Address& move) {
   std::erase_if(steps_.waiting, [&](const RequestedStep& x) { return x.move.address == move; });
 }

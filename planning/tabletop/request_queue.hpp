@@ -38,6 +38,8 @@ public:
 
   /// Whether a step is done now.
   bool is_busy() const { return !steps_.motive.id.empty(); }
+  /// Whether a step of that move is done now, or waits.
+  bool has_steps_of(const Address& move) const;
   /// The next step, which is the current one from then on; null if a step is done now or there is
   /// none.
   const RequestedStep* next();

@@ -3,14 +3,12 @@
 #include "castor/communication/dialogue/assertion.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
-#include "castor/communication/dialogue/likely_meaning.hpp"
-#include "castor/communication/dialogue/partial_requests.hpp"
 #include "castor/communication/dialogue/pointing.hpp"
 #include "castor/communication/dialogue/presence.hpp"
-#include "castor/communication/dialogue/reparsing.hpp"
 #include "castor/communication/dialogue/salience.hpp"
+#include "castor/communication/dialogue/sequels.hpp"
+#include "castor/communication/dialogue/understanding.hpp"
 #include "castor/communication/parsing/packing.hpp"
-#include "castor/communication/parsing/spelling.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 
 #include <map>
@@ -49,10 +47,23 @@ Reply TableTalk::say(const std::string& text) {
     sentences.push_back(text);
   for (auto& sentence : sentences) {
     const auto silences = reply.silences;
-    reply = say_sentence(sentence);
+    reply = say_all(sentence);
     reply.silences += silences;
   }
   return reply;
+}
+
+Reply TableTalk::say_all(const std::string& text) {
+  auto reply = say_sentence(text);
+  if (reply.sequel.empty())
+    return reply;
+  auto next = say_all(reply.sequel);
+  reply.steps.insert(reply.steps.end(), next.steps.begin(), next.steps.end());
+  next.steps = std::move(reply.steps);
+  next.text = reply.text + (reply.text.empty() || next.text.empty() ? "" : " ") + next.text;
+  next.silences += reply.silences;
+  next.is_parsed = next.is_parsed && reply.is_parsed;
+  return next;
 }
 
 void TableTalk::point(const Pointing& pointing) {
@@ -64,27 +75,12 @@ Reply TableTalk::say_sentence(const std::string& text) {
   auto& language = language_of(vocabulary_->lexicon());
   auto& parser = language.parser;
   auto& realiser = language.realiser;
-  auto words = words_of(text);
-  const auto said = words;
+  auto form = understood(parser, words_of(text));
   DialogueMove move;
-  move.corrections = correct_spelling(words, parser.lexicon());
-  IncrementalParse parse{parser};
-  for (auto& word : words)
-    parse.add(word);
-  parse.finish();
-  auto form = parse.form();
-  if (auto other = reparsed(parser, words, form))
-    form = std::move(*other);
-  else if (!is_understood(form)) {
-    if (auto part = partly_understood(parser, said, words, move.corrections)) {
-      form = std::move(*part);
-      move.corrections.clear();
-    } else
-      form.mention = LikelyMeaning{parser, said}.mention();
-  }
+  move.corrections = form.corrections;
   move.partial = form.partial;
   move.mention = form.mention;
-  move.corrections.insert(move.corrections.end(), form.corrections.begin(), form.corrections.end());
+  move.sequel = form.sequel;
   form.text = text;
   move.turn = static_cast<std::int32_t>(history_.size());
   Reply reply;
@@ -116,6 +112,11 @@ Reply TableTalk::say_sentence(const std::string& text) {
     return respond(meant.move, meant.antecedents, scene);
   });
   questions_.note(meant, response);
+  const auto next = continued(move, response, last_answer_);
+  if (const auto truth = truth_said(response))
+    last_answer_ = truth;
+  response = next.response;
+  reply.sequel = next.sequel;
   referents.turn = move.turn;
   referents.understood = move.problem.empty();
   referents.referents = with_knowledge(vocabulary_, binding_, [&](SceneKnowledge& scene) {

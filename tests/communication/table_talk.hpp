@@ -35,6 +35,8 @@ struct Reply {
   /// It takes the place of the request before, or comes before that.
   bool corrects = false;
   bool comes_first = false;
+  /// What is said next.
+  std::string sequel = {};
 };
 
 /// A conversation about a scene, without actors and working memories: what the components of
@@ -60,6 +62,8 @@ public:
   void point(const Pointing& pointing);
 
 private:
+  /// With what follows from it.
+  Reply say_all(const std::string& text);
   Reply say_sentence(const std::string& text);
 
   void tell_of(const DialogueMove& move, const MoveReferents& referents);
@@ -72,6 +76,7 @@ private:
   std::optional<Pointing> pointing_;
   std::uint64_t gestures_ = 0;
   std::size_t told_ = 0;
+  std::optional<bool> last_answer_;
 };
 
 } // namespace castor::communication::test

@@ -125,7 +125,7 @@ class TableMotives final : public HearsRequests {
       else
         steps.push_back({referents.move, x, referents.agrees_to});
     if (steps.empty())
-      return;
+      return tell_end_of(referents.move, true);
     steps = without_needless_moves(std::move(steps));
     const bool has_to_wait = (queue_.is_busy() || !queue_.steps().waiting.empty()) &&
                              !referents.corrects && !referents.comes_first;
@@ -195,6 +195,12 @@ class TableMotives final : public HearsRequests {
         {.time_to_live = 10min});
   }
 
+  /// Unless another step of the request is left.
+  void tell_end_of(const EntryPointer<DialogueMove>& move, bool is_done) {
+    if (!queue_.has_steps_of(move.address))
+      add(RequestEnded{move, is_done}, {.time_to_live = 10min});
+  }
+
   /// The next step, when the one before is done. What comes after one that is not done is not done
   /// either.
   void go_on() {
@@ -216,6 +222,7 @@ class TableMotives final : public HearsRequests {
         reply(move, was_so ? MotiveReply::already_so : MotiveReply::done,
               was_so ? "It is so already." : known.result);
         queue_.done();
+        tell_end_of(move, true);
         return true;
       }
       if (motive->status != MotiveStatus::rejected && motive->status != MotiveStatus::dropped)
@@ -229,6 +236,7 @@ class TableMotives final : public HearsRequests {
       reply(move, MotiveReply::impossible, "I do not know any more what I was doing.");
     }
     queue_.give_up(is_half_done);
+    tell_end_of(move, false);
     return true;
   }
 
@@ -264,7 +272,8 @@ class TableMotives final : public HearsRequests {
     if (!asked.refusal.empty()) {
       reply(step.move, MotiveReply::impossible, asked.refusal);
       note_refusal(step, asked.refusal);
-      return queue_.give_up();
+      queue_.give_up();
+      return tell_end_of(step.move, false);
     }
     Motive motive;
     motive.kind = "table";
