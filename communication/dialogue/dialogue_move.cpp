@@ -58,6 +58,19 @@ LogicalForm as_request(LogicalForm form, const WordMeanings& meanings) {
   return form;
 }
 
+/// "Put the things that are cubes in a row": a request says how things are to stand, rather than
+/// that they do.
+bool moves_things_in_row(const LogicalForm& form) {
+  const auto* root = find_nominal(form, form.root);
+  if (root == nullptr || root->sort != "action")
+    return false;
+  return std::ranges::any_of(form.nominals, [&](const Nominal& x) {
+    const auto* place = x.sort == "thing" ? dependent(form, x, "Location") : nullptr;
+    return place != nullptr &&
+           (is_arrangement(place->proposition) || place->proposition == "stacked-together");
+  });
+}
+
 } // namespace
 
 bool is_verbless(const LogicalForm& form) {
@@ -114,6 +127,7 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
                           const auto said = unpack(form, x.id);
                           return said.size() == 1 && !is_verbless(said.front());
                         });
+  std::vector<LogicalForm> readings;
   for (auto& reading : form.readings) {
     auto said = unpack(form, reading.id);
     if (said.size() != 1)
@@ -123,12 +137,16 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
       continue;
     if (is_question)
       said.front() = as_question(std::move(said.front()));
-    if (move.content.nominals.empty()) {
-      move.type = dialogue_move_type(said.front());
-      move.content = std::move(said.front());
-    } else if (move.alternatives.size() < max_alternatives)
-      move.alternatives.push_back(std::move(said.front()));
+    readings.push_back(std::move(said.front()));
   }
+  std::ranges::stable_partition(readings, [](const auto& x) { return !moves_things_in_row(x); });
+  if (readings.empty())
+    return;
+  move.type = dialogue_move_type(readings.front());
+  move.content = std::move(readings.front());
+  const auto others = std::min(readings.size() - 1, max_alternatives);
+  for (std::size_t i = 1; i <= others; ++i)
+    move.alternatives.push_back(std::move(readings[i]));
 }
 
 void take_requests(DialogueMove& move, const WordMeanings& meanings) {

@@ -290,6 +290,8 @@ private:
       }
     const auto landmarks = read_places(destination, meant, step);
     meant_.note_landmarks(landmarks);
+    if (landmarks.size() == 1 && step.places.front().relation == "on")
+      meant_.note_stack(landmarks.front());
     // "Put everything next to the disc" moves all but the disc.
     if (!is_definite(patient) || is_plural(patient))
       meant.things = all_but(std::move(meant.things), landmarks);

@@ -51,9 +51,11 @@ Things DirectiveThings::proxies(const Things& unions) const {
 }
 
 void DirectiveThings::end_step(bool names_things) {
-  if (names_things)
+  if (names_things) {
     last_ = current_;
-  else
+    const auto further = all_but(current_.things, of_steps_);
+    of_steps_.insert(of_steps_.end(), further.begin(), further.end());
+  } else
     last_.reset();
   is_last_each_ = is_current_each_;
 }
@@ -97,8 +99,18 @@ std::optional<MeantThings> DirectiveThings::of_step_before(const Nominal& phrase
   // "Take each cube and put it on the left."
   const bool is_each = !is_plural(phrase) && is_last_each_;
   if (!is_each && is_plural(phrase) != (count_of(*last_) > 1))
-    return std::nullopt;
+    return is_plural(phrase) ? of_steps_together(phrase) : std::nullopt;
   return last_;
+}
+
+/// "Put the ball on the left and the cube on the right, and then push both to the back."
+std::optional<MeantThings> DirectiveThings::of_steps_together(const Nominal& phrase) const {
+  const auto* quantity = dependent(form_, phrase, "Quantity");
+  const auto range = quantity == nullptr ? std::nullopt : number_range(*quantity);
+  const auto count = of_steps_.size();
+  if (count < 2 || (range && is_within({count, count}, *range) != Truth::yes))
+    return std::nullopt;
+  return MeantThings{of_steps_, 0};
 }
 
 std::optional<MeantThings> DirectiveThings::of_clause(const Nominal& phrase) const {
@@ -113,6 +125,8 @@ std::optional<MeantThings> DirectiveThings::of_clause(const Nominal& phrase) con
 MeantThings DirectiveThings::things(const Nominal& phrase) {
   auto result = things_of(phrase);
   if (!result.things.empty()) {
+    if (!is_pronoun(phrase) && !is_about_others(form_, phrase))
+      noun_ = head_noun(phrase);
     current_ = result;
     is_current_each_ = !is_pronoun(phrase) && !is_plural(phrase) && count_of(result) > 1;
   }
@@ -179,6 +193,8 @@ MeantThings DirectiveThings::things_named(const Nominal& phrase) {
   const bool is_others = is_about_others(form_, phrase);
   if (is_others && remaining_ && feature(phrase, "Delimitation") != "all")
     return {*remaining_, 0};
+  if (auto other = besides(of_steps_, noun_, phrase))
+    return *other;
   // "Leave the ball alone and take everything else."
   if (is_others && last_ && feature(phrase, "Delimitation") == "all")
     return {all_but(scene_.things(), last_->things), 0};
@@ -265,6 +281,32 @@ Things DirectiveThings::all_but_landmarks(const Nominal& phrase) {
   return all_but(scene_.things(), landmarks);
 }
 
+/// "The red cube and then the other one": the only one of the noun besides those; nothing for other
+/// phrases.
+std::optional<MeantThings> DirectiveThings::besides(const Things& those, const std::string& noun,
+                                                    const Nominal& phrase) {
+  if (those.empty() || !is_about_others(form_, phrase) || is_plural(phrase))
+    return std::nullopt;
+  auto like = form_;
+  auto& other = *find_nominal(like, phrase.name);
+  other.relations.clear();
+  if (other.proposition == "one")
+    other.proposition = noun;
+  auto others = all_but(Evaluation{like, antecedents_, scene_}.described(other).certain, those);
+  if (other.proposition == "one")
+    std::erase_if(others, [&](const auto& id) {
+      return scene_.words(id, binding::FeatureKind::shape) !=
+             scene_.words(those.back(), binding::FeatureKind::shape);
+    });
+  return others.size() == 1 ? std::optional{MeantThings{std::move(others), 0}} : std::nullopt;
+}
+
+/// "Cube" of "the red cube and the green one".
+std::string DirectiveThings::head_noun(const Nominal& phrase) const {
+  const auto* first = dependent(form_, phrase, "First");
+  return first == nullptr ? phrase.proposition : head_noun(*first);
+}
+
 /// "The ball and a cube"; "the ball or the cube".
 MeantThings DirectiveThings::all_or_one_of(const Nominal& phrase) {
   MeantThings result;
@@ -272,7 +314,8 @@ MeantThings DirectiveThings::all_or_one_of(const Nominal& phrase) {
     const auto* x = dependent(form_, phrase, mode);
     if (x == nullptr)
       throw Uninterpretable{Reason::word, phrase.proposition};
-    auto part = things_of(*x);
+    auto other = besides(result.things, head_noun(phrase), *x);
+    auto part = other ? *std::move(other) : things_of(*x);
     part.things = all_but(std::move(part.things), result.things);
     if (part.number > 0 && std::ssize(part.things) > part.number)
       part.things.resize(static_cast<std::size_t>(part.number));

@@ -79,9 +79,13 @@ private:
   Things nearest_of(const MeantThings& all, const Things& patients) const;
   Things of_before(const Nominal& phrase);
   std::optional<MeantThings> of_step_before(const Nominal& phrase) const;
+  std::optional<MeantThings> of_steps_together(const Nominal& phrase) const;
   std::optional<MeantThings> of_clause(const Nominal& phrase) const;
   Things all_but_those_before(const Nominal& phrase);
   Things all_but_landmarks(const Nominal& phrase);
+  std::optional<MeantThings> besides(const Things& those, const std::string& noun,
+                                     const Nominal& phrase);
+  std::string head_noun(const Nominal& phrase) const;
   MeantThings all_or_one_of(const Nominal& phrase);
   MeantThings indefinite(const Nominal& phrase);
   bool is_shared_out(const Nominal& phrase) const;
@@ -94,6 +98,9 @@ private:
   /// What the step before was about, and what this one is.
   std::optional<MeantThings> last_;
   MeantThings current_;
+  /// What all steps before were about, and the noun of the last of them.
+  Things of_steps_;
+  std::string noun_;
   /// Whether these are several in the singular: "each cube".
   bool is_last_each_ = false;
   bool is_current_each_ = false;

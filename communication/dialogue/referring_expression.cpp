@@ -87,16 +87,24 @@ std::optional<LogicalForm> told_apart(SceneKnowledge& scene, const std::string& 
   return others.empty() ? std::optional{std::move(result)} : std::nullopt;
 }
 
-} // namespace
-
-LogicalForm indefinite_description(const SceneKnowledge& scene, const std::string& union_id) {
-  auto result = indefinite(noun_of(scene, union_id));
+LogicalForm with_properties(const SceneKnowledge& scene, const std::string& union_id,
+                            LogicalForm thing) {
   for (auto& x : properties)
     // A size that is not certain is said if it is asked for, or to tell things apart.
     if (auto word = adjective(scene, union_id, x.kind);
         !word.empty() && (x.kind != FeatureKind::size || scene.is_sure(union_id, x.kind)))
-      result = with_property(std::move(result), x, word);
-  return result;
+      thing = with_property(std::move(thing), x, word);
+  return thing;
+}
+
+} // namespace
+
+LogicalForm indefinite_description(const SceneKnowledge& scene, const std::string& union_id) {
+  return with_properties(scene, union_id, indefinite(noun_of(scene, union_id)));
+}
+
+LogicalForm full_description(const SceneKnowledge& scene, const std::string& union_id) {
+  return with_properties(scene, union_id, definite(noun_of(scene, union_id)));
 }
 
 LogicalForm referring_expression(SceneKnowledge& scene, const std::string& union_id) {

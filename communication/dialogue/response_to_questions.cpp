@@ -150,7 +150,12 @@ Response Responder::about(const Nominal& asked) {
                       (asked.proposition == "one" || !evaluation_.described(asked).certain.empty());
   if (found.certain.empty() && !found.possible.empty() && !is_tie)
     return answer(i_do_not_know());
-  return list(found.certain.empty() ? found.possible : found.certain);
+  const auto& things = found.certain.empty() ? found.possible : found.certain;
+  // "The tallest" is one that everybody knows already.
+  if (is_about_order && things.size() == 1 && scene_.is_thing(things.front()))
+    return answer(ascribe(pronoun("it"), full_description(scene_, things.front())),
+                  exists(indefinite_description(scene_, things.front())));
+  return list(things);
 }
 
 /// "Which room are you in?": "I am in the kitchen."; "which room is the ball in?"

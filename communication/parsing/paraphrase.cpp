@@ -12,7 +12,7 @@ namespace castor::communication {
 namespace {
 
 /// In words.
-constexpr std::size_t longest_slot = 10;
+constexpr std::size_t longest_slot = 16;
 
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> result;

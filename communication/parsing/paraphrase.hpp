@@ -21,7 +21,7 @@ namespace castor::communication {
 ///     little|tiny?     may be missing, too
 ///     of_course        several words
 ///     @side            one of a list that has this name, the same in the paraphrase
-///     X Y Z            one to ten words without a pause, the same in the paraphrase
+///     X Y Z            one to sixteen words without a pause, the same in the paraphrase
 ///     ,                a pause
 ///     < at the begin   only where an utterance or a part of it after a pause begins
 ///     > at the end     only where one ends

@@ -54,17 +54,17 @@ private:
 } // namespace
 
 TEST_F(Groups, AreChosenFrom) {
-  EXPECT_EQ(reply("Which is the bigger of the two balls?"), "There is a large blue ball.");
+  EXPECT_EQ(reply("Which is the bigger of the two balls?"), "It is the large blue ball.");
   EXPECT_EQ(reply("Name the biggest of the cubes."), "There is a large green cube.");
   EXPECT_EQ(reply("Which ball is the small one, the red one or the blue one?"),
             "There is a small red ball.");
   EXPECT_EQ(reply("Is the red ball bigger or the white cube?"),
             "There is a small red ball and a small white cube.");
-  EXPECT_EQ(reply("Is the red ball bigger or the green cube?"), "There is a large green cube.");
+  EXPECT_EQ(reply("Is the red ball bigger or the green cube?"), "It is the large green cube.");
   EXPECT_EQ(reply("Is it the disc or the green cube that is white?"),
             "There is a small white circle.");
   EXPECT_EQ(reply("Of the small things, which is the furthest to the left?"),
-            "There is a small red ball.");
+            "It is the small red ball.");
 }
 
 TEST_F(Groups, AreOfTheNumberThatIsSaid) {

@@ -108,7 +108,10 @@ void read_ascription(const Words& words, std::size_t at, ReadReply& reply) {
     reply.is_denied = true;
     ++at;
   }
-  if (at < words.size() && is_indefinite_article(words[at])) {
+  // "It is the red ball", as "there is a red ball".
+  if (at < words.size() && words[at] == "the")
+    reply.is_existence = true;
+  if (at < words.size() && (is_indefinite_article(words[at]) || words[at] == "the")) {
     reply.described.push_back(description(words, at + 1));
     ++at;
   }
