@@ -162,6 +162,59 @@ TEST(Directives, PlainSentencesAreUnderstood) {
   EXPECT_EQ(result.right, result.all) << result.failures;
 }
 
+/// One place, in each way to ask for it.
+struct AskedPlace {
+  std::string said;
+  std::string meant;
+};
+
+TEST(Directives, APlaceIsTheSameInEachWayToAskForIt) {
+  const std::vector<AskedPlace> places{{"on the left", "left"},
+                                       {"at the back", "back"},
+                                       {"in the middle", "centre"},
+                                       {"in the centre of the table", "centre"},
+                                       {"at the left edge", "left-edge"},
+                                       {"at the front edge", "front-edge"},
+                                       {"at the edge", "edge"},
+                                       {"in the front left corner", "front-left-corner"},
+                                       {"in the middle of the back edge", "back-edge centre"},
+                                       {"next to the red box", "near c"},
+                                       {"to the left of the red box", "left c"},
+                                       {"in front of the red box", "front c"},
+                                       {"behind the smaller box", "back d"},
+                                       {"on the red box", "on c"},
+                                       {"between the red box and the green box", "between c,d"},
+                                       {"between the two boxes", "between c,d"},
+                                       {"10 cm to the left of the red box", "left c"},
+                                       {"where the red ball is", "where a"},
+                                       {"on the right side of the table", "right"},
+                                       {"on the left half of the table", "left"}};
+  const std::vector<std::string> requests{"Put the blue ball",
+                                          "Please place the blue ball",
+                                          "Move the blue ball",
+                                          "Set the blue ball down",
+                                          "Take the blue ball and put it",
+                                          "Pick up the blue ball and place it",
+                                          "Lift the blue ball and set it down",
+                                          "Could you put the blue ball",
+                                          "I would like you to put the blue ball",
+                                          "I want the blue ball",
+                                          "I'd like the blue ball to be",
+                                          "First take the blue ball, then put it",
+                                          "The blue ball should be",
+                                          "Make sure that the blue ball is",
+                                          "Grab the blue ball and put it",
+                                          "Would you mind putting the blue ball"};
+  for (const auto& place : places)
+    for (const auto& request : requests) {
+      const auto said = request + ' ' + place.said + '.';
+      const auto got = understood({{said}, {}});
+      EXPECT_EQ(got.substr(got.rfind("; ") == got.npos ? 0 : got.rfind("; ") + 2),
+                "put b " + place.meant)
+        << said;
+    }
+}
+
 TEST(Directives, WhatFollowsOnARequestIsUnderstood) {
   const auto result = figures_of("turns.txt");
   EXPECT_GE(result.all, 50U);
