@@ -11,7 +11,7 @@
 namespace castor::manipulation {
 
 /// Where the arms of benchmarks stand, and rest out of the camera's sight.
-inline constexpr const char* benchmark_arm_at = "0 -0.37 heading 90";
+inline constexpr const char* benchmark_arm_at = "0 -0.33 heading 90";
 inline constexpr const char* benchmark_arm_rest = "90 -20 110 60 90";
 
 struct RandomThing {

@@ -434,8 +434,8 @@ private:
       step.action = action_for("give");
     if (x.proposition == "put-back" && is_everything(*patient))
       step.action = action_for("restore");
-    const bool tells_itself =
-      x.proposition == "drop" || x.proposition == "put-back" || x.proposition == "how-far-moved";
+    const bool tells_itself = x.proposition == "drop" || x.proposition == "put-back" ||
+                              x.proposition == "how-far-moved" || x.proposition == "where-was";
     const auto meant = tells_itself ? meant_.one_of_like(*patient) : meant_.things(*patient);
     take(meant, *patient, step);
     // "How far is the ball from the cube?"

@@ -211,10 +211,11 @@ private:
       const auto named = with_thing_of(parser_, main, request);
       if (is_other_first) {
         auto first = other_form;
-        const auto then = parsed(named);
+        const auto later = with_places_before(named);
+        const auto then = parsed(later);
         if (!then || !(requests(*then) || asks(*then)))
           continue;
-        first->sequel = Sequel{written(named), asks(*then)};
+        first->sequel = Sequel{written(later), asks(*then)};
         return first;
       }
       auto first = parsed(named);
@@ -224,6 +225,17 @@ private:
       return first;
     }
     return std::nullopt;
+  }
+
+  /// "Put the cube where the ball is, after you have moved the ball": where it was then.
+  static WordList with_places_before(WordList words) {
+    const auto where = std::ranges::find(words, "where");
+    const auto verb = std::find_if(where, words.end(), [](const auto& x) {
+      return is_among(x, {"is", "'s", "are"});
+    });
+    if (verb != words.end())
+      *verb = *verb == "are" ? "were" : "was";
+    return words;
   }
 
   /// "You have moved the ball", "moving the ball" as requests, as many as there may be.

@@ -81,13 +81,17 @@ TableGoal TableGoalMaker::have_moved() const {
                 (others.empty() ? "" : ", but not " + listed(others)) + '.');
 }
 
+/// "How far did the ball go?" Of several that it may be, those that were moved.
+TableGoalMaker::Things TableGoalMaker::those_moved() const {
+  auto result = things_;
+  if (step_.number > 0)
+    std::erase_if(result, [](const auto* x) { return !x->was_moved(); });
+  return result;
+}
+
 TableGoal TableGoalMaker::how_far_moved() const {
   std::string result;
-  auto things = things_;
-  // "How far did the ball go?" Of several, those that were moved.
-  if (step_.number > 0)
-    std::erase_if(things, [](const auto* x) { return !x->was_moved(); });
-  for (const auto* x : things) {
+  for (const auto* x : those_moved()) {
     if (!result.empty())
       result += ' ';
     if (!x->was_moved() || x->spot_before.name.empty())

@@ -57,6 +57,7 @@ private:
   TableGoal answer_question() const;
   TableGoal last_moved() const;
   TableGoal have_moved() const;
+  Things those_moved() const;
   TableGoal how_far_moved() const;
   TableGoal what_is_kept() const;
   TableGoal may_touch() const;

@@ -87,11 +87,13 @@ std::string TableGoalMaker::it_was() const {
 
 TableGoal TableGoalMaker::where_was() const {
   std::string result;
-  for (const auto* x : things_)
+  for (const auto* x : those_moved())
     result +=
       (result.empty() ? "" : " ") +
       (x->was_moved() ? sentence(x->words + " was " + place_in_words(x->spot_before, *x, table_))
                       : sentence("I have not moved " + x->words));
+  if (result.empty())
+    result = "I have moved none of them.";
   return {TableWish::answer, {}, {}, 0, std::move(result)};
 }
 

@@ -25,7 +25,8 @@ RememberedTable TableMemory::remembered() const {
                           x.is_kept,
                           x.is_kept_clear,
                           x.waypoint_noted,
-                          x.is_last_moved};
+                          x.is_last_moved,
+                          x.seen.lengths};
     for (const auto& [kind, value] : x.seen.qualities)
       thing.qualities.push_back({kind, value});
     result.things.push_back(std::move(thing));
@@ -52,7 +53,8 @@ void TableMemory::recall(const RememberedTable& x) {
   for (const auto& thing : x.things) {
     if (!waypoints_.contains(thing.waypoint))
       continue;
-    ThingOnTable seen{thing.id, thing.proxy, {}, thing.place, thing.radius, thing.height};
+    ThingOnTable seen{thing.id,     thing.proxy,  {},           thing.place,
+                      thing.radius, thing.height, thing.lengths};
     for (const auto& quality : thing.qualities)
       seen.qualities.emplace(quality.kind, quality.value);
     things_.push_back({thing.name, std::move(seen), thing.waypoint, thing.waypoint_before,

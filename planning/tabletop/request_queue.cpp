@@ -6,6 +6,38 @@
 
 namespace castor::planning {
 
+namespace {
+
+using communication::DirectiveStep;
+
+/// Whether it only moves the things that it names.
+bool moves_named_things(const DirectiveStep& x) {
+  return !x.things.empty() &&
+         (x.action == "Put" || x.action == "Take" || x.action == "Give" || x.action == "Push");
+}
+
+/// Its things, and those that its places are told by.
+std::vector<std::string> mentioned_in(const DirectiveStep& x) {
+  auto result = x.things;
+  for (const auto& place : x.places)
+    result.insert(result.end(), place.landmarks.begin(), place.landmarks.end());
+  return result;
+}
+
+/// "Put the ball on the left, and the cube next to it": unless each of the two is only about things
+/// that the other does not mention.
+bool depends_on(const DirectiveStep& x, const DirectiveStep& before) {
+  if (!moves_named_things(x) || !moves_named_things(before))
+    return true;
+  const auto mentioned = mentioned_in(x);
+  const auto mentioned_before = mentioned_in(before);
+  return std::ranges::any_of(mentioned, [&](const auto& id) {
+    return std::ranges::find(mentioned_before, id) != mentioned_before.end();
+  });
+}
+
+} // namespace
+
 void RequestQueue::recall(RequestedSteps x, bool is_motive_there) {
   steps_ = std::move(x);
   if (is_busy() && !is_motive_there) {
@@ -114,19 +146,26 @@ void RequestQueue::done() {
   steps_.motive = {};
 }
 
-void RequestQueue::give_up(bool undoes) {
-  const auto move = steps_.current.move.address;
+bool RequestQueue::give_up(bool undoes) {
+  const auto failed = steps_.current;
   steps_.motive = {};
-  steps_.given_up = {steps_.current};
-  for (const auto& x : steps_.waiting)
-    if (x.move.address == move)
+  steps_.given_up = {failed};
+  std::erase_if(steps_.waiting, [&](const RequestedStep& x) {
+    const bool is_dropped = x.move.address == failed.move.address &&
+                            std::ranges::any_of(steps_.given_up, [&](const RequestedStep& before) {
+                              return depends_on(x.what, before.what);
+                            });
+    if (is_dropped)
       steps_.given_up.push_back(x);
-  drop_steps_of(move);
+    return is_dropped;
+  });
+  const bool has_dropped = steps_.given_up.size() > 1;
   if (!undoes)
-    return;
-  RequestedStep undo{steps_.current.move, {}, steps_.current.agrees_to};
+    return has_dropped;
+  RequestedStep undo{failed.move, {}, failed.agrees_to};
   undo.what.action = "Undo";
   steps_.waiting.insert(steps_.waiting.begin(), std::move(undo));
+  return has_dropped;
 }
 
 std::vector<RequestedStep> without_needless_moves(std::vector<RequestedStep> steps) {
@@ -140,7 +179,10 @@ std::vector<RequestedStep> without_needless_moves(std::vector<RequestedStep> ste
                                (next->action == "Give" || next->action == "Take") &&
                                next->things == steps[i].what.things &&
                                next->number == steps[i].what.number;
-    if (!is_vague || !is_taken_next)
+    const bool is_put_next = steps[i].what.action == "Take" && places.empty() && next != nullptr &&
+                             next->action == "Put" && next->things == steps[i].what.things &&
+                             next->number == steps[i].what.number;
+    if (!(is_vague && is_taken_next) && !is_put_next)
       result.push_back(std::move(steps[i]));
   }
   return result;

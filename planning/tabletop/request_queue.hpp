@@ -47,9 +47,11 @@ public:
   void begin(const Address& motive, std::string result);
   /// The current step is done; `next` has the one after it.
   void done();
-  /// The current step cannot be done: nor are those of its request that come after it.
+  /// The current step cannot be done: nor are those of its request after it that depend on it, by
+  /// what they are about.
   /// @param undoes whether what was done of it is undone next
-  void give_up(bool undoes = false);
+  /// \returns whether there are such steps
+  bool give_up(bool undoes = false);
 
 private:
   bool moved_other_than(const RequestedStep& step) const;
@@ -60,8 +62,9 @@ private:
   RequestedSteps steps_;
 };
 
-/// Without the steps that only move a thing off its place that the next one takes or gives:
-/// "Take the cube off the table and give it to me."
+/// Without the steps that the next one includes: moving a thing off its place before it is taken or
+/// given, "take the cube off the table and give it to me", and taking it before it is put
+/// somewhere, so that it is grasped as is best for that place.
 std::vector<RequestedStep> without_needless_moves(std::vector<RequestedStep> steps);
 
 } // namespace castor::planning

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "castor/mapping/geometry/types.hpp"
 #include "castor/perception/spatial/types.hpp"
 #include "castor/planning/continual/types.hpp"
 #include "castor/planning/motivation/table_goals.hpp"
@@ -27,6 +28,8 @@ struct ThingOnTable {
   /// Of the disc that it fits in.
   double radius = 0.03;
   double height = 0.05;
+  /// Of its sides, as binding knows them; the third is its height. All 0 if they are not known.
+  geometry::Point3 lengths = {};
 };
 
 /// Where something is; things by the ids of their SceneObjects.

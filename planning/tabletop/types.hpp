@@ -1,6 +1,7 @@
 #pragma once
 
 #include "castor/communication/types.hpp"
+#include "castor/mapping/geometry/types.hpp"
 #include "castor/perception/spatial/types.hpp"
 #include "castor/planning/continual/types.hpp"
 #include "castor/wm/values/reflect.hpp"
@@ -79,6 +80,8 @@ struct RememberedThing {
   /// Where it was when people said to remember that.
   std::string waypoint_noted;
   bool is_last_moved = false;
+  /// As of ThingOnTable.
+  geometry::Point3 lengths = {};
 
   friend bool operator==(const RememberedThing&, const RememberedThing&) = default;
 };
@@ -158,7 +161,7 @@ CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopp
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
                waypoint_before, is_held, on, former_proxies, waypoint_before_goal,
-               waypoint_at_first, is_kept, is_kept_clear, waypoint_noted, is_last_moved)
+               waypoint_at_first, is_kept, is_kept_clear, waypoint_noted, is_last_moved, lengths)
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
 CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint)

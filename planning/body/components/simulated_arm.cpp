@@ -241,7 +241,7 @@ class SimulatedArm final : public StandaloneComponent {
   Option<std::string> scene_{this, "scene", "", "file of the table's scene"};
   Option<std::string> arm_file_{this, "arm", "arms/katana.arm", "file of the arm"};
   Option<std::string> base_{this, "base", "", "folder in which relative files are looked for too"};
-  Option<std::string> at_{this, "at", "0 -0.37 heading 90",
+  Option<std::string> at_{this, "at", "0 -0.33 heading 90",
                           "where it stands on the table: X Y heading DEGREES"};
   Option<std::string> start_{this, "start", "",
                              "a number for each joint, degrees; empty: its home"};

@@ -140,7 +140,7 @@ private:
   Option<StandaloneName> effector_{this, "arm", "arm", "the arm to command"};
   Option<std::string> arm_file_{this, "model", "arms/katana.arm", "file of the arm"};
   Option<std::string> base_{this, "base", "", "folder in which relative files are looked for too"};
-  Option<std::string> at_{this, "at", "0 -0.37 heading 90",
+  Option<std::string> at_{this, "at", "0 -0.33 heading 90",
                           "where it stands on the table: X Y heading DEGREES"};
   Option<std::string> rest_text_{
     this, "rest", "90 -20 110 60 90",

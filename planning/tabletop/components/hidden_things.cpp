@@ -54,6 +54,8 @@ class HiddenThings final : public binding::BindingMonitor {
         for (const auto& [name, kind] : kinds)
           if (quality.kind == name)
             thing.features.push_back(feature(kind, quality.value));
+      if (const auto& size = x.lengths; size.z > 0)
+        thing.features.push_back(binding::extent_of(size.x, size.y, size.z));
       tell_all(id, std::move(thing));
     } else if (x.is_held) {
       // Vision has not looked since it was taken.

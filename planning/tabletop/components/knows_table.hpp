@@ -98,7 +98,9 @@ protected:
       result.radius = std::hypot(seen->box.size.x, seen->box.size.y) / 2 / std::sqrt(2.0);
       result.height = seen->box.size.z;
       for (const auto& x : read<binding::BindingUnion>({binding_, proxy.union_id})->features)
-        if (!x.negated && x.text != "unknown")
+        if (x.kind == binding::FeatureKind::extent && x.numbers.size() == 3)
+          result.lengths = {x.numbers[0], x.numbers[1], x.numbers[2]};
+        else if (!x.negated && x.text != "unknown")
           for (const auto& [kind, name] : kinds)
             if (x.kind == kind)
               result.qualities.emplace(name, x.text);

@@ -201,8 +201,7 @@ class TableMotives final : public HearsRequests {
       add(RequestEnded{move, is_done}, {.time_to_live = 10min});
   }
 
-  /// The next step, when the one before is done. What comes after one that is not done is not done
-  /// either.
+  /// The next step, when the one before is done.
   void go_on() {
     if (queue_.is_busy() && !is_over())
       return;
@@ -215,6 +214,7 @@ class TableMotives final : public HearsRequests {
     const auto& known = queue_.steps();
     const auto move = known.current.move;
     bool is_half_done = false;
+    std::string words;
     try {
       const auto motive = read<Motive>(known.motive);
       if (motive->status == MotiveStatus::completed) {
@@ -228,16 +228,23 @@ class TableMotives final : public HearsRequests {
       if (motive->status != MotiveStatus::rejected && motive->status != MotiveStatus::dropped)
         return false;
       const auto why = problem(*motive);
-      reply(move, MotiveReply::impossible,
-            explained(motive->words, why.reason) + (why.help.empty() ? "" : ' ' + why.help));
+      words = explained(motive->words, why.reason) + (why.help.empty() ? "" : ' ' + why.help);
       is_half_done = why.has_begun && known.current.what.action == "Swap";
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
-      reply(move, MotiveReply::impossible, "I do not know any more what I was doing.");
+      words = "I do not know any more what I was doing.";
     }
-    queue_.give_up(is_half_done);
-    tell_end_of(move, false);
+    give_up(move, std::move(words), is_half_done);
     return true;
+  }
+
+  /// What depends on the current step is not done either.
+  /// @param why a sentence
+  void give_up(const EntryPointer<DialogueMove>& move, std::string why, bool undoes = false) {
+    if (queue_.give_up(undoes))
+      why += " I leave out what comes after that.";
+    reply(move, MotiveReply::impossible, std::move(why));
+    tell_end_of(move, false);
   }
 
   /// Why a step of a plan could not be done, or there was no plan.
@@ -270,10 +277,8 @@ class TableMotives final : public HearsRequests {
   void begin(const RequestedStep& step) {
     auto asked = goal_of({step.what, true});
     if (!asked.refusal.empty()) {
-      reply(step.move, MotiveReply::impossible, asked.refusal);
       note_refusal(step, asked.refusal);
-      queue_.give_up();
-      return tell_end_of(step.move, false);
+      return give_up(step.move, asked.refusal);
     }
     Motive motive;
     motive.kind = "table";

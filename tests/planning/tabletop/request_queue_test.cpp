@@ -145,6 +145,27 @@ TEST_F(RequestQueueTest, LeavesOutWhatComesAfterAStepThatCannotBeDone) {
   EXPECT_THAT(rest(), ElementsAre("Give"));
 }
 
+TEST_F(RequestQueueTest, GoesOnWithWhatDoesNotDependOnAStepThatCannotBeDone) {
+  auto ball = step("a", "Put");
+  ball.what.things = {"ball"};
+  ball.what.places = {{"near", {"box"}}};
+  auto cube = step("a", "Put");
+  cube.what.things = {"cube"};
+  cube.what.places = {{"left", {}}};
+  auto beside = step("a", "Put");
+  beside.what.things = {"disc"};
+  beside.what.places = {{"near", {"ball"}}};
+  auto on_disc = step("a", "Put");
+  on_disc.what.things = {"ring"};
+  on_disc.what.places = {{"on", {"disc"}}};
+  queue.add({ball, beside, cube, on_disc}, {});
+  begin();
+  EXPECT_TRUE(queue.give_up());
+  EXPECT_EQ(queue.steps().waiting, std::vector{cube});
+  begin();
+  EXPECT_FALSE(queue.give_up());
+}
+
 TEST_F(RequestQueueTest, DoesNothingAnyMoreWhenItIsToStop) {
   queue.add({step("a", "Take"), step("a", "Put")}, {});
   begin("m1");
@@ -286,6 +307,19 @@ TEST(WithoutNeedlessMoves, WhatIsGivenNextIsNotPutSomewhereBefore) {
   EXPECT_EQ(without_needless_moves({left, give}).size(), 2U);
   EXPECT_EQ(without_needless_moves({off, left}).size(), 2U);
   EXPECT_EQ(without_needless_moves({give, off}).size(), 2U);
+}
+
+TEST(WithoutNeedlessMoves, WhatIsPutSomewhereNextIsNotTakenBefore) {
+  auto take = step("a", "Take");
+  take.what.things = {"cube"};
+  auto put = step("a", "Put");
+  put.what.things = {"cube"};
+  put.what.places = {{"left", {}}};
+  EXPECT_EQ(without_needless_moves({take, put}), std::vector{put});
+  auto other = put;
+  other.what.things = {"ball"};
+  EXPECT_EQ(without_needless_moves({take, other}).size(), 2U);
+  EXPECT_EQ(without_needless_moves({put, take}).size(), 2U);
 }
 
 } // namespace castor::planning
