@@ -58,17 +58,41 @@ LogicalForm as_request(LogicalForm form, const WordMeanings& meanings) {
   return form;
 }
 
-/// "Put the things that are cubes in a row": a request says how things are to stand, rather than
-/// that they do.
-bool moves_things_in_row(const LogicalForm& form) {
+/// "In a row", "on each other": how several things stand.
+bool is_formation(const Nominal& x) {
+  return x.sort == "region" &&
+         (is_arrangement(x.proposition) || x.proposition == "stacked-together");
+}
+
+/// "Put the ball and the cube in a row at the back": a request says how things are to stand, rather
+/// than that they do.
+LogicalForm with_formation_as_destination(LogicalForm form) {
   const auto* root = find_nominal(form, form.root);
-  if (root == nullptr || root->sort != "action")
-    return false;
-  return std::ranges::any_of(form.nominals, [&](const Nominal& x) {
-    const auto* place = x.sort == "thing" ? dependent(form, x, "Location") : nullptr;
-    return place != nullptr &&
-           (is_arrangement(place->proposition) || place->proposition == "stacked-together");
-  });
+  const auto* to =
+    root == nullptr || root->sort != "action" ? nullptr : dependent(form, *root, "Destination");
+  if (to == nullptr)
+    return form;
+  const std::string place = to->name;
+  std::string formation;
+  for (auto& x : form.nominals)
+    if (x.sort == "thing")
+      std::erase_if(x.relations, [&](const NominalRelation& relation) {
+        const auto* where = find_nominal(form, relation.dependent);
+        const bool is_meant =
+          relation.mode == "Location" && where != nullptr && is_formation(*where);
+        if (is_meant)
+          formation = relation.dependent;
+        return is_meant;
+      });
+  if (formation.empty())
+    return form;
+  const std::string both = "formation-at-place";
+  for (auto& relation : find_nominal(form, form.root)->relations)
+    if (relation.mode == "Destination")
+      relation.dependent = both;
+  form.nominals.push_back(
+    {both, "conjunction", "and", {}, {{"First", formation}, {"Next", place}}});
+  return form;
 }
 
 } // namespace
@@ -137,9 +161,8 @@ void take_readings(const PackedLogicalForm& form, DialogueMove& move) {
       continue;
     if (is_question)
       said.front() = as_question(std::move(said.front()));
-    readings.push_back(std::move(said.front()));
+    readings.push_back(with_formation_as_destination(std::move(said.front())));
   }
-  std::ranges::stable_partition(readings, [](const auto& x) { return !moves_things_in_row(x); });
   if (readings.empty())
     return;
   move.type = dialogue_move_type(readings.front());

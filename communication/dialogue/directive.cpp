@@ -98,7 +98,11 @@ private:
       take(meant_.things(need(x, "Patient")), need(x, "Patient"), step);
     } else
       read_request(x, step);
-    steps_.push_back(std::move(step));
+    // "Take it back and put it where it was" is done once.
+    const bool is_said_again = !steps_.empty() && step == steps_.back() &&
+                               step.action == action_for("put-back") && !step.things.empty();
+    if (!is_said_again)
+      steps_.push_back(std::move(step));
     meant_.end_step(!steps_.back().things.empty());
   }
 

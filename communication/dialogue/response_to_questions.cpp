@@ -357,8 +357,11 @@ std::optional<LogicalForm> Responder::place_of(const std::string& id) {
   if (const auto around = scene_.surroundings(id); !around.empty())
     return region(binding::containment_label, referring_expression(scene_, around.front()));
   auto facts = scene_.spatial_facts(id);
+  // What it stands on says more than what it is beside.
+  auto best = std::ranges::find(facts, "on", &SpatialFact::relation);
   // What is no thing lies where somebody says so of it, not where it seems by its place.
-  auto best = std::ranges::find_if(facts, [](auto& fact) { return fact.relation != "near"; });
+  if (best == facts.end())
+    best = std::ranges::find_if(facts, [](auto& fact) { return fact.relation != "near"; });
   if (best == facts.end())
     best = facts.begin();
   if (best != facts.end())

@@ -42,8 +42,10 @@ void PlacedThings::correct(std::vector<SeenThing>& things) {
   std::erase_if(things_, [&](const auto& x) {
     const auto& placed = x.second;
     const auto seen = std::ranges::find(things, placed.id, &SeenThing::id);
+    const double off =
+      same_place + (is_stacked(placed.thing) ? seen_off(placed.thing.pose.position.z) : 0);
     if (seen == things.end() || seen->colour != placed.colour ||
-        distance_on_table(seen->thing.pose.position, placed.thing.pose.position) > same_place)
+        distance_on_table(seen->thing.pose.position, placed.thing.pose.position) > off)
       return true;
     if (is_stacked(placed.thing) || !are_as_large(seen->thing.solid, placed.thing.solid)) {
       seen->thing.solid = placed.thing.solid;

@@ -8,6 +8,13 @@
 
 namespace castor::manipulation {
 
+/// How far from where it is a thing may be seen whose middle is that high, metres: vision takes it to
+/// be on the table, and so sees it farther from the camera.
+inline double seen_off(double height) {
+  constexpr double share = 0.6;
+  return share * height;
+}
+
 /// Things that an arm has put down itself. They are as large as before, and where they were put,
 /// also if a picture shows something else: in the arm's shadow, the dark side of a cube is not told
 /// from the table, and a ball looks like a disc.

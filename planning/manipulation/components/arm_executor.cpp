@@ -394,9 +394,7 @@ class ArmExecutor final : public ResumesManipulation {
   /// How the action ends, if vision sees the thing where it was put.
   std::optional<ActionResult> confirmed_at(const SeenThing& thing, const std::optional<Pose>& goal,
                                            const TablePlace& to) {
-    // Vision takes it to be on the table, so that it sees what is high up farther from the camera.
-    constexpr double share_of_height = 0.6;
-    const double off = to.on.address.id.empty() ? 0 : share_of_height * goal->position.z;
+    const double off = to.on.address.id.empty() ? 0 : seen_off(goal->position.z);
     const auto* seen = find_like(things_, thing, goal->position, near_ + off);
     if (seen) {
       placed_.put(seen->id, thing, *goal);

@@ -63,6 +63,12 @@ TEST(PlacedThings, OnAnotherThingTheyAreAsHighAsTheyWerePut) {
   std::vector<SeenThing> things{seen("1", "cube", box(0.052, 0.052, 0.052), 0.22, 0)};
   placed.correct(things);
   EXPECT_EQ(things[0].thing.pose, there);
+  // The higher, the farther away.
+  const Pose higher{{0.2, 0, 0.105}, {}, arm_frame};
+  placed.put("1", seen("1", "cube", cube, 0.4, 0.1), higher);
+  things = {seen("1", "cube", box(0.052, 0.052, 0.052), 0.26, 0)};
+  placed.correct(things);
+  EXPECT_EQ(things[0].thing.pose, higher);
 }
 
 TEST(PlacedThings, AreForgottenOnceSomebodyElseHasMovedThem) {
