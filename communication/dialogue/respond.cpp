@@ -97,12 +97,19 @@ const LogicalForm& content_of(const DialogueMove& move, std::size_t reading) {
   return reading == 0 ? move.content : move.alternatives[reading - 1];
 }
 
+/// The request, or the first of several; null if the form is none.
+const Nominal* first_action(const LogicalForm& form) {
+  const auto* x = find_nominal(form, form.root);
+  while (x != nullptr && x->sort == "conjunction")
+    x = dependent(form, *x, "First");
+  return x != nullptr && x->sort == "action" ? x : nullptr;
+}
+
 /// What is to be moved: null if the form asks for nothing like that.
 const Nominal* moved_thing(const LogicalForm& form) {
-  const auto* root = find_nominal(form, form.root);
-  const bool is_moved =
-    root != nullptr && root->sort == "action" && dependent(form, *root, "Destination") != nullptr;
-  return is_moved ? dependent(form, *root, "Patient") : nullptr;
+  const auto* action = first_action(form);
+  const bool is_moved = action != nullptr && dependent(form, *action, "Destination") != nullptr;
+  return is_moved ? dependent(form, *action, "Patient") : nullptr;
 }
 
 /// Whether a phrase, perhaps with where the things are, means one thing, or several as it says.
@@ -141,12 +148,17 @@ std::vector<std::size_t> readings_by_likelihood(const DialogueMove& move,
   if (is_plural(*thing) && is_clear(move.content, *thing, antecedents, scene))
     return result;
   const bool says_where_it_is = dependent(move.content, *thing, "Location") != nullptr;
+  // "Take the blue ball to the left", where there is one blue ball.
+  const auto& to = *dependent(move.content, *first_action(move.content), "Destination");
+  if (!says_where_it_is && !feature(to, "Of").empty() &&
+      is_clear(move.content, *thing, antecedents, scene))
+    return result;
   const auto is_likelier = [&](std::size_t reading) {
     const auto& content = content_of(move, reading);
-    const auto* root = find_nominal(content, content.root);
+    const auto* action = first_action(content);
     const auto* other = says_where_it_is ? moved_thing(content)
-                        : root != nullptr && root->sort == "action" && root->proposition == "take"
-                          ? dependent(content, *root, "Patient")
+                        : action != nullptr && action->proposition == "take"
+                          ? dependent(content, *action, "Patient")
                           : nullptr;
     return other != nullptr && other->proposition == thing->proposition &&
            (dependent(content, *other, "Location") == nullptr) == says_where_it_is &&

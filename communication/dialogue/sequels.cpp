@@ -311,7 +311,7 @@ std::optional<PackedLogicalForm> parsed_question_beside(Parser& parser, const Wo
 
 bool asks_about_answer(const WordList& words) {
   const auto link = std::ranges::find(words, "and");
-  if (link == words.end() || !is_among(words.front(), {"what", "which", "where", "who"}))
+  if (link == words.end() || !is_among(words.front(), {"what", "which", "where", "who", "how"}))
     return false;
   const WordList after(std::next(link), words.end());
   return begins_question(after) && has_pronoun(after);
