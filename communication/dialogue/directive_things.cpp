@@ -195,9 +195,9 @@ MeantThings DirectiveThings::things_named(const Nominal& phrase) {
     return {*remaining_, 0};
   if (auto other = besides(of_steps_, noun_, phrase))
     return *other;
-  // "Leave the ball alone and take everything else."
+  // "Put the cube on the box, and everything else on the left."
   if (is_others && last_ && feature(phrase, "Delimitation") == "all")
-    return {all_but(scene_.things(), last_->things), 0};
+    return {all_but(all_but(scene_.things(), last_->things), mentioned_), 0};
   if (!is_definite_phrase(phrase))
     return indefinite(phrase);
   // "Leave the balls alone, and put the rest at the back."

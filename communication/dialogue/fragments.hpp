@@ -44,7 +44,8 @@ bool asks_for_more(const LogicalForm& said);
 
 /// "A bit more", "closer", "again": what was asked for before, and further where it was to a side,
 /// or with a narrower or wider gap where it was at a thing.
-/// \param more as in the lexicon: small, more, closer, farther, half-back, again, or a number; less-3
+/// \param more as in the lexicon: small, more, closer, farther, half-back, again, or a number;
+/// less-3
 ///     for as many centimetres back, in-all-3 for as many in place of those that were said
 /// \param has_unit whether a number is said with "centimetres"
 /// \returns nothing if the request has nothing that there could be more of

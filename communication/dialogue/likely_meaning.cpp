@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/asides.hpp"
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/example_pieces.hpp"
+#include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/english_words.hpp"
 #include "castor/communication/parsing/examples.hpp"
@@ -395,6 +396,27 @@ std::optional<std::vector<std::string>> LikelyMeaning::name() {
 
 std::optional<LogicalForm> LikelyMeaning::mention() {
   return search_->mention();
+}
+
+std::vector<std::string> with_thing_of(Parser& parser, std::vector<std::string> words,
+                                       const std::vector<std::string>& other) {
+  const auto pronoun = std::ranges::find_if(words, [](const auto& x) {
+    return is_among(x, {"it", "them"});
+  });
+  bool is_named_before = false;
+  for (auto x = words.begin(); x != pronoun; ++x) {
+    const auto next = std::next(x);
+    // "What is to the left of it" names nothing.
+    const bool is_side = *x == "the" && next != pronoun &&
+                         is_among(*next, {"left", "right", "front", "back", "side", "middle"});
+    is_named_before = is_named_before || (*x == "the" && !is_side) ||
+                      name_of_things(parser, {*x}) || is_among(*x, {"everything", "one", "ones"});
+  }
+  if (pronoun == words.end() || is_named_before)
+    return words;
+  if (const auto name = LikelyMeaning{parser, other}.name())
+    words.insert(words.erase(pronoun), name->begin(), name->end());
+  return words;
 }
 
 } // namespace castor::communication

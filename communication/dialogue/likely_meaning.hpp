@@ -43,4 +43,9 @@ private:
   std::unique_ptr<Search> search_;
 };
 
+/// With the thing that another part of the utterance names in the place of "it", unless one is
+/// named before the pronoun.
+std::vector<std::string> with_thing_of(Parser& parser, std::vector<std::string> words,
+                                       const std::vector<std::string>& other);
+
 } // namespace castor::communication

@@ -26,16 +26,30 @@ using WordList = std::vector<std::string>;
 /// How often one paraphrase is applied to an utterance.
 constexpr std::size_t most_repetitions = 3;
 
+/// In any way in which words are understood by themselves.
+PartParser part_parser(Parser& parser) {
+  return [&parser](const WordList& words) -> std::optional<PackedLogicalForm> {
+    IncrementalParse parse{parser};
+    for (const auto& word : words)
+      parse.add(word);
+    parse.finish();
+    auto form = parse.form();
+    if (auto other = reparsed(parser, words, form))
+      return other;
+    return is_understood(form) ? std::optional{std::move(form)} : std::nullopt;
+  };
+}
+
 /// Of an utterance that is not understood as it stands.
 std::optional<PackedLogicalForm> parsed_otherwise(Parser& parser, const WordList& words,
                                                   const PackedLogicalForm& form) {
-  if (auto result = parsed_question_beside(parser, words))
+  if (auto result = parsed_question_beside(parser, words, part_parser(parser)))
     return result;
   if (auto result = parsed_without_asides(parser, words))
     return result;
   if (auto result = parsed_request_alone(parser, words))
     return result;
-  if (auto result = parsed_in_order(parser, words))
+  if (auto result = parsed_in_order(parser, words, part_parser(parser)))
     return result;
   if (auto result = parsed_prohibition_alone(parser, words))
     return result;
@@ -93,8 +107,9 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
     return result;
   if (is_understood(form)) {
     if (has_condition_on_it(words))
-      return parsed_in_order(parser, words);
-    return asks_about_answer(words) ? parsed_question_beside(parser, words) : std::nullopt;
+      return parsed_in_order(parser, words, part_parser(parser));
+    return asks_about_answer(words) ? parsed_question_beside(parser, words, part_parser(parser))
+                                    : std::nullopt;
   }
   const auto whole = with_articles(parser, words);
   if (auto result = whole ? parser.parse_whole(*whole) : std::nullopt;

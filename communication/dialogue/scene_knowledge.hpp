@@ -162,8 +162,8 @@ public:
   /// The things that a thing is in.
   const std::vector<std::string>& containers(const std::string& union_id) const;
 
-  /// How a thing lies to others, the nearest of them first, and of one of them the relation in whose
-  /// direction it is farther.
+  /// How a thing lies to others, the nearest of them first, and of one of them the relation in
+  /// whose direction it is farther.
   std::vector<SpatialFact> spatial_facts(const std::string& union_id) const;
 
 private:

@@ -2,7 +2,7 @@
 
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
-#include "castor/communication/dialogue/reparsing.hpp"
+#include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
@@ -69,7 +69,8 @@ bool takes_up_question(const WordList& words) {
 
 class SequelSearch {
 public:
-  SequelSearch(Parser& parser, const WordList& words) : parser_(parser), words_(words) {}
+  SequelSearch(Parser& parser, const WordList& words, const PartParser& parse_part)
+    : parser_(parser), words_(words), parse_part_(parse_part) {}
 
   std::optional<PackedLogicalForm> question_beside() {
     for (std::size_t i = 1; i + 1 < words_.size(); ++i) {
@@ -275,17 +276,9 @@ private:
     return words;
   }
 
-  std::optional<PackedLogicalForm> parsed(const WordList& words) {
-    if (words.empty())
-      return std::nullopt;
-    IncrementalParse parse{parser_};
-    for (const auto& word : words)
-      parse.add(word);
-    parse.finish();
-    auto form = parse.form();
-    if (auto other = reparsed(parser_, words, form))
-      form = std::move(*other);
-    return is_understood(form) && !form.sequel ? std::optional{std::move(form)} : std::nullopt;
+  std::optional<PackedLogicalForm> parsed(const WordList& words) const {
+    auto form = words.empty() ? std::nullopt : parse_part_(words);
+    return form && !form->sequel ? form : std::nullopt;
   }
 
   bool requests(const PackedLogicalForm& form) const {
@@ -301,12 +294,14 @@ private:
 
   Parser& parser_;
   const WordList& words_;
+  const PartParser& parse_part_;
 };
 
 } // namespace
 
-std::optional<PackedLogicalForm> parsed_question_beside(Parser& parser, const WordList& words) {
-  return SequelSearch{parser, words}.question_beside();
+std::optional<PackedLogicalForm> parsed_question_beside(Parser& parser, const WordList& words,
+                                                        const PartParser& parse_part) {
+  return SequelSearch{parser, words, parse_part}.question_beside();
 }
 
 bool asks_about_answer(const WordList& words) {
@@ -324,8 +319,9 @@ bool has_condition_on_it(const WordList& words) {
          has_pronoun(WordList(std::next(begin), words.end()));
 }
 
-std::optional<PackedLogicalForm> parsed_in_order(Parser& parser, const WordList& words) {
-  return SequelSearch{parser, words}.in_order();
+std::optional<PackedLogicalForm> parsed_in_order(Parser& parser, const WordList& words,
+                                                 const PartParser& parse_part) {
+  return SequelSearch{parser, words, parse_part}.in_order();
 }
 
 std::optional<bool> truth_said(const Response& response) {

@@ -4,6 +4,7 @@
 #include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/types.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,11 +12,15 @@
 /// Utterances that say several things, of which one has to wait for another.
 namespace castor::communication {
 
+/// Parses a part of an utterance in any way in which it is understood; nothing if it is not.
+using PartParser = std::function<std::optional<PackedLogicalForm>(const std::vector<std::string>&)>;
+
 /// A question after a request, "put the ball on the left and then tell me where it is", or about
 /// the answer to one before it, "which one is the tallest, and where is it?"; a request after a
 /// question. Nothing if the parts are not understood by themselves.
 std::optional<PackedLogicalForm> parsed_question_beside(Parser& parser,
-                                                        const std::vector<std::string>& words);
+                                                        const std::vector<std::string>& words,
+                                                        const PartParser& parse_part);
 
 /// Whether the second of two questions may be about the answer to the first.
 bool asks_about_answer(const std::vector<std::string>& words);
@@ -27,7 +32,8 @@ bool has_condition_on_it(const std::vector<std::string>& words);
 /// another order than they are said in, "before you take the ball, move the cube". "If so" is about
 /// the question before: the form is a yes then, of "if not" a no.
 std::optional<PackedLogicalForm> parsed_in_order(Parser& parser,
-                                                 const std::vector<std::string>& words);
+                                                 const std::vector<std::string>& words,
+                                                 const PartParser& parse_part);
 
 /// Whether a response says yes or no; nothing if it says neither.
 std::optional<bool> truth_said(const Response& response);

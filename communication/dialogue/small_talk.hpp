@@ -12,8 +12,8 @@ namespace castor::communication {
 /// root.
 std::string small_talk_topic(const LogicalForm& form);
 
-/// Whether it is asked about an act that is done to nothing, for which there are no motives: "why did
-/// you stop?"
+/// Whether it is asked about an act that is done to nothing, for which there are no motives: "why
+/// did you stop?"
 bool asks_about_no_thing(const LogicalForm& form);
 
 /// The things that a question about what the robot does is about, in words for a

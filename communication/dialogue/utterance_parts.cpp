@@ -3,13 +3,9 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/directive.hpp"
-#include "castor/communication/dialogue/likely_meaning.hpp"
-#include "castor/communication/dialogue/thing_names.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
-#include "castor/communication/parsing/word_lists.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -62,27 +58,6 @@ std::optional<LogicalForm> thing_said(const PackedLogicalForm& form) {
   auto said = unpack(form, form.readings.front().id).front();
   const auto& root = *find_nominal(said, said.root);
   return root.sort == "thing" && !is_pronoun(root) ? std::optional{std::move(said)} : std::nullopt;
-}
-
-std::vector<std::string> with_thing_of(Parser& parser, std::vector<std::string> words,
-                                       const std::vector<std::string>& other) {
-  const auto pronoun = std::ranges::find_if(words, [](const auto& x) {
-    return is_among(x, {"it", "them"});
-  });
-  bool is_named_before = false;
-  for (auto x = words.begin(); x != pronoun; ++x) {
-    const auto next = std::next(x);
-    // "What is to the left of it" names nothing.
-    const bool is_side = *x == "the" && next != pronoun &&
-                         is_among(*next, {"left", "right", "front", "back", "side", "middle"});
-    is_named_before = is_named_before || (*x == "the" && !is_side) ||
-                      name_of_things(parser, {*x}) || is_among(*x, {"everything", "one", "ones"});
-  }
-  if (pronoun == words.end() || is_named_before)
-    return words;
-  if (const auto name = LikelyMeaning{parser, other}.name())
-    words.insert(words.erase(pronoun), name->begin(), name->end());
-  return words;
 }
 
 } // namespace castor::communication

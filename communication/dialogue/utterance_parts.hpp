@@ -1,7 +1,6 @@
 #pragma once
 
 #include "castor/communication/parsing/lexicon.hpp"
-#include "castor/communication/parsing/parser.hpp"
 #include "castor/communication/types.hpp"
 
 #include <cstddef>
@@ -31,10 +30,5 @@ bool is_prohibition(const PackedLogicalForm& form, const Lexicon& lexicon);
 
 /// What is said of a thing, and by no pronoun: "the red ball"; nothing if something else is said.
 std::optional<LogicalForm> thing_said(const PackedLogicalForm& form);
-
-/// With the thing that another part of the utterance names in the place of "it", unless one is
-/// named before the pronoun.
-std::vector<std::string> with_thing_of(Parser& parser, std::vector<std::string> words,
-                                       const std::vector<std::string>& other);
 
 } // namespace castor::communication

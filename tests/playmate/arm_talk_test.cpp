@@ -248,8 +248,8 @@ TEST_F(PlayMateIsAsked, WhileTheArmMoves) {
 
 TEST_F(PlayMateIsAsked, AboutThingsByTheirNamesAfterTheyWereMoved) {
   say("Put the round things next to each other.", "I hold the", {},
-      {{"next to the purple ball now.", "Which of them is closer to the red cube?"},
-       {"There is a small blue ball.", "Take that one."}});
+      {{"next to the purple ball now.", "Which of them is larger?"},
+       {"It is the small blue ball.", "Take that one."}});
   EXPECT_THAT(said(), testing::Contains(testing::HasSubstr("I hold the blue ball now")));
 }
 

@@ -24,21 +24,22 @@ protected:
   /// What a predecessor has left was dealt with, or is dealt with just now.
   bool is_resumed() const { return is_resumed_; }
 
-  /// Where there is room.
+  /// Where there is room, best in the middle of the table.
   ActionResult put_down_anywhere() {
     if (auto end = look())
       return *end;
-    for (const auto& pose : poses_held())
-      for (const auto& x : free_places(things_, held_->solid.size.x)) {
-        held_->pose = pose;
-        const PlaceGoal goal{x, 0, "the table", "a free place"};
-        const auto plan = planned([&] { return planner_->place(scene(), goal, joints()); });
-        if (!plan)
-          continue;
-        const auto carried = carry_out_all(*plan);
-        return carried.is_done ? ActionResult::succeeded()
-                               : carried.end.value_or(ActionResult::failed(told_.reason));
-      }
+    for (const bool wide : {false, true})
+      for (const auto& pose : poses_held())
+        for (const auto& x : free_places(things_, held_->solid.size.x, wide)) {
+          held_->pose = pose;
+          const PlaceGoal goal{x, 0, "the table", "a free place"};
+          const auto plan = planned([&] { return planner_->place(scene(), goal, joints()); });
+          if (!plan)
+            continue;
+          const auto carried = carry_out_all(*plan);
+          return carried.is_done ? ActionResult::succeeded()
+                                 : carried.end.value_or(ActionResult::failed(told_.reason));
+        }
     return ActionResult::failed("there is no free place for " + held_->name);
   }
 
