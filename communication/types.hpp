@@ -154,10 +154,10 @@ struct Sequel {
   std::string words;
   /// Whether it asks a question, which has an answer whatever became of what it waits for.
   bool is_question = false;
-  /// The form is of a question, and the words are said only if its answer is yes: "if the ball is
-  /// red, take it".
+  /// The words are said only if the answer to the question is yes, "if the ball is red, take it", or
+  /// if the request is done.
   bool is_conditional = false;
-  /// What is said if that answer is no; empty for nothing.
+  /// What is said if that answer is no, or the request cannot be done; empty for nothing.
   std::string otherwise = {};
 
   friend bool operator==(const Sequel&, const Sequel&) = default;

@@ -59,13 +59,18 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
       if (!told->cause.points_to<DialogueMove>())
         return;
       const auto move = told->cause.as<DialogueMove>();
-      if (moves_asked_whether_.contains(move.address.id))
-        last_answer_ = told->reply == planning::MotiveReply::done;
+      const bool is_possible = told->reply == planning::MotiveReply::done;
+      const bool is_answer = moves_asked_whether_.contains(move.address.id);
+      if (is_answer)
+        last_answer_ = is_possible;
       const auto relation = told->reply == planning::MotiveReply::accepted
                               ? RhetoricalRelation::acceptance
                               : RhetoricalRelation::answer;
       add(here("words of " + address.id),
           SpokenOutputItem{told->words, move, follow(move)->utterance, relation});
+      const auto sequel = is_answer ? follow(move)->sequel : std::nullopt;
+      if (sequel && sequel->is_conditional)
+        say(move, is_possible ? sequel->words : sequel->otherwise);
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
     } catch (const AlreadyExistsOnWM& e) {
@@ -73,23 +78,30 @@ class ContentPlanner final : public AsksBinding<UnmanagedComponent> {
     }
   }
 
-  /// What waits for a request is said as if it were heard now. A request is not: what it waits for
-  /// has failed.
+  /// What waits for a request is said as if it were heard now. When that has failed, only a
+  /// question is, or what was said for that case.
   void say_sequel_after(const Address& address) {
     try {
       const auto ended = read<planning::RequestEnded>(address);
       const auto clarified = sequels_.find(ended->move.address.id);
       const auto sequel =
         clarified == sequels_.end() ? follow(ended->move)->sequel : clarified->second;
-      if (sequel && !sequel->is_conditional && (ended->is_done || sequel->is_question))
-        say(ended->move, sequel->words);
+      if (!sequel)
+        return;
+      const bool is_said = ended->is_done || (sequel->is_question && !sequel->is_conditional);
+      const auto& next = is_said                  ? sequel->words
+                         : sequel->is_conditional ? sequel->otherwise
+                                                  : std::string{};
+      say(ended->move, next);
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
     }
   }
 
-  /// Once for each move.
+  /// Once for each move; nothing if there are no words.
   void say(const EntryPointer<DialogueMove>& after, const std::string& words) {
+    if (words.empty())
+      return;
     PhonString utterance;
     utterance.word_sequence = words;
     utterance.length = static_cast<std::int32_t>(words_of(words).size());

@@ -84,6 +84,17 @@ LogicalForm region(const std::string& place) {
   return single("region", place);
 }
 
+LogicalForm region(const std::vector<std::string>& places) {
+  auto form = region(places.front());
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    auto both = single("conjunction", "and");
+    attach(both, "First", form);
+    attach(both, "Next", region(places[i]));
+    form = std::move(both);
+  }
+  return form;
+}
+
 LogicalForm region(const std::string& relation, const LogicalForm& anchor) {
   auto form = single("region", relation);
   attach(form, "Anchor", anchor);

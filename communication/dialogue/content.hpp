@@ -34,6 +34,10 @@ LogicalForm region(const std::string& relation, const LogicalForm& anchor);
 /// A region without an anchor: "here".
 LogicalForm region(const std::string& place);
 
+/// In several places at once, "on the left at the front".
+/// \pre there is one at least
+LogicalForm region(const std::vector<std::string>& places);
+
 /// "The ball".
 LogicalForm definite(const std::string& noun);
 

@@ -6,9 +6,11 @@
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/stacks.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string_view>
@@ -108,6 +110,12 @@ private:
 
   void read_request(const Nominal& x, DirectiveStep& step) {
     const bool is_same = x.proposition == "same";
+    // "Give me the ball, and do the same with the cube."
+    if (feature(x, "Repeats") == "true" && !steps_.empty() && steps_.back().places.empty() &&
+        is_among(steps_.back().action, {action_for("give"), action_for("put-back")})) {
+      step.action = steps_.back().action;
+      return take(meant_.things(need(x, "Patient")), need(x, "Patient"), step);
+    }
     // "Push the ball and the cube to the left" has no place of its own for the ball.
     if (is_same && !steps_.empty() && steps_.back().places.empty())
       throw Uninterpretable{Reason::word, x.proposition};
@@ -267,6 +275,9 @@ private:
     else if (step.action != action_for("push"))
       step.action = action_for("put");
     auto meant = meant_.things(patient);
+    // "Take the largest thing on the left" says which, if it is on the left.
+    if (x.proposition == "take-to" && !is_pronoun(patient) && are_in_part(meant, destination))
+      throw Uninterpretable{Reason::word, destination.proposition};
     // "Take the tower apart": what stands on something comes onto the table.
     if (destination.proposition == "apart" && is_tower(patient) && meant.things.size() > 1) {
       meant.things.erase(meant.things.begin());
@@ -300,6 +311,22 @@ private:
     if (!is_definite(patient) || is_plural(patient))
       meant.things = all_but(std::move(meant.things), landmarks);
     take(meant, patient, step);
+  }
+
+  /// Whether all of them are on that side of the table.
+  bool are_in_part(const Meant& meant, const Nominal& part) const {
+    // "To the left" is where it is to go.
+    if (part.sort != "region" || !feature(part, "Of").empty() ||
+        dependent(form_, part, "Anchor") != nullptr)
+      return false;
+    constexpr double middle = 0.08;
+    return std::ranges::all_of(meant.things, [&](const std::string& id) {
+      const auto at = scene_.place_in_view(id);
+      const auto& side = part.proposition;
+      return at && ((side == "left" && at->x < 0) || (side == "right" && at->x > 0) ||
+                    (side == "front" && at->y < 0) || (side == "back" && at->y > 0) ||
+                    (side == "centre" && std::hypot(at->x, at->y) < middle));
+    });
   }
 
   /// \returns the landmarks of the places

@@ -412,7 +412,13 @@ Things DirectiveThings::ends_named(const Nominal& phrase, const Things& things) 
   } catch (const Uninterpretable& e) {
     if (e.what != phrase.name)
       throw;
-    const auto form = with_thing_for(phrase);
+    auto form = with_thing_for(phrase);
+    // "On the left" is where it is to stand.
+    std::erase_if(find_nominal(form, phrase.name)->relations, [&](const NominalRelation& x) {
+      const auto* place = find_nominal(form, x.dependent);
+      return x.mode == "Location" && place != nullptr &&
+             dependent(form, *place, "Anchor") == nullptr;
+    });
     auto like = Evaluation{form, antecedents_, scene_}.described(*find_nominal(form, phrase.name));
     std::erase_if(like.certain,
                   [&](const auto& id) { return std::ranges::find(things, id) == things.end(); });

@@ -95,6 +95,10 @@ public:
   /// \param among the phrase that the thing is one of; null if any
   Truth is(const std::string& id, const Nominal& scope, const Nominal* among = nullptr);
 
+  /// The sides of the table that a thing is on, "left" and "front", or "centre"; empty if nobody
+  /// knows where it is.
+  std::vector<std::string> sides_of(const std::string& id);
+
   /// Whether the phrase stands for who is spoken to, of whom somebody tells, or for who is with
   /// them: "you", "we", "I".
   bool is_addressee(const Nominal& phrase);
@@ -245,7 +249,9 @@ private:
   Truth is_between(const std::string& id, const Nominal& anchor);
   Truth is_directly(const std::string& id, const std::string& side, const std::string& other);
   Truth is_far(const std::string& id, const std::string& other);
-  Truth is_selected(const std::string& id, const Nominal& selection, const Fitting& among);
+  Truth is_selected(const std::string& id, const Nominal& selection, const Fitting& among,
+                    std::size_t number = 1);
+  std::size_t number_of_selected(const Nominal& phrase) const;
   std::optional<std::string> distinguished_by_size(const Nominal& phrase);
   Truth compares(const std::string& id, const Nominal& comparison);
   Truth compares_distances(const std::string& id, const Nominal& comparison, const Nominal& other);

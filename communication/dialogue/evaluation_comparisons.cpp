@@ -82,9 +82,19 @@ std::optional<double> Evaluation::measure(const std::string& id, const std::stri
   return there ? std::optional{std::hypot(at->x - there->x, at->y - there->y)} : std::nullopt;
 }
 
+/// "The three largest balls" are three.
+std::size_t Evaluation::number_of_selected(const Nominal& phrase) const {
+  if (feature(phrase, "Delimitation") == "both")
+    return 2;
+  const auto* quantity = is_plural(phrase) ? dependent(form_, phrase, "Quantity") : nullptr;
+  const auto range = quantity == nullptr ? std::nullopt : number_range(*quantity);
+  return range ? std::max<std::size_t>(range->least, 1) : 1;
+}
+
 /// "The largest", "the second from the left", "closest to the ball".
-Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
-                              const Fitting& among) {
+/// \param number how many are selected together
+Truth Evaluation::is_selected(const std::string& id, const Nominal& selection, const Fitting& among,
+                              std::size_t number) {
   const auto* how = comparative(selection.proposition);
   if (how == nullptr)
     not_understood(selection.proposition);
@@ -114,7 +124,7 @@ Truth Evaluation::is_selected(const std::string& id, const Nominal& selection,
     before.add(both(among.contains(other),
                     is_before == Truth::no && is_after != Truth::yes ? Truth::unknown : is_before));
   }
-  return is_within(before, {rank - 1, rank - 1});
+  return is_within(before, {rank - 1, rank + number - 2});
 }
 
 /// What "the small cube" means in a request where no cube, or several, are small: the clearly

@@ -381,7 +381,7 @@ Truth Evaluation::fits(const std::string& id, const Nominal& phrase, bool with_s
   Fitting among;
   for (auto& other : candidates(phrase))
     among.add(other, fits(other, phrase, false));
-  return both(result, is_selected(id, *selection, among));
+  return both(result, is_selected(id, *selection, among, number_of_selected(phrase)));
 }
 
 Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
@@ -439,8 +439,12 @@ Truth Evaluation::as_modified(const std::string& id, const Nominal& phrase, cons
   if (mode == "Whole")
     return quantified(
       x, [&](auto& whole) { return scene_.is_related(binding::containment_label, id, whole); });
-  if (mode == "Accompaniment")
-    return accompanied(id, phrase, x);
+  if (mode == "Accompaniment") {
+    // "The blue one of the balls".
+    const bool is_of_several = phrase.proposition == "one" && x.sort == "thing" && is_plural(x) &&
+                               feature(x, "Delimitation") == "unique" && !has_containers();
+    return is_of_several ? is_one_of(id, x) : accompanied(id, phrase, x);
+  }
   if (mode == "Lacking")
     return negation(accompanied(id, phrase, x));
   if (mode == "Where") {

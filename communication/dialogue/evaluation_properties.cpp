@@ -42,7 +42,7 @@ Truth Evaluation::is(const std::string& id, const Nominal& scope, const Nominal*
     result = compares(id, scope);
   else if (scope.sort == "selection") {
     auto things = among == nullptr ? Fitting{scene_.things(), scene_.things()} : described(*among);
-    result = is_selected(id, scope, things);
+    result = is_selected(id, scope, things, among == nullptr ? 1 : number_of_selected(*among));
   } else if (scope.sort == "composition")
     result = has_property(id, need(scope, "Material"));
   else if (scope.sort == "possession")
@@ -254,6 +254,13 @@ Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& 
   // "Here" is anywhere on the table.
   if (part == "here" || part == "on")
     return Truth::yes;
+  // "Back-right-corner", "at the left edge": on each of the sides that it names.
+  if (const auto end = part.find('-'); end != std::string::npos) {
+    const auto rest = part.substr(end + 1);
+    if (rest == "corner" || rest == "edge")
+      return is_in_part_of_table(id, part.substr(0, end));
+    return both(is_in_part_of_table(id, part.substr(0, end)), is_in_part_of_table(id, rest));
+  }
   if (part != "left" && part != "right" && part != "front" && part != "back" && part != "centre")
     not_understood(part);
   double width = 0;
@@ -277,6 +284,15 @@ Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& 
   if (part == "back")
     return truth_of(at->y > beyond);
   return truth_of(std::abs(at->x) <= beside && std::abs(at->y) <= beyond);
+}
+
+std::vector<std::string> Evaluation::sides_of(const std::string& id) {
+  std::vector<std::string> result;
+  if (scene_.place_in_view(id))
+    for (const auto* side : {"left", "right", "front", "back", "centre"})
+      if (is_in_part_of_table(id, side) == Truth::yes)
+        result.emplace_back(side);
+  return result;
 }
 
 Truth Evaluation::is_related(const std::string& id, const std::string& relation,

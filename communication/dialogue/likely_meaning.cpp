@@ -205,8 +205,9 @@ public:
   }
 
   std::optional<LogicalForm> mention() {
-    const auto words = name();
-    const auto form = words ? parser_.parse_whole(*words) : std::nullopt;
+    const auto named = name();
+    const auto words = named ? with_place(*named) : only_phrase();
+    const auto form = words.empty() ? std::nullopt : parser_.parse_whole(words);
     if (!form)
       return std::nullopt;
     auto said = unpack(*form, form->readings.front().id);
@@ -215,6 +216,39 @@ public:
 
 private:
   const Lexicon& lexicon() const { return parser_.lexicon(); }
+
+  /// "The ball at the back" of a name, "the ball": as much as is said of the thing.
+  WordList with_place(const WordList& name) {
+    const auto begin = std::ranges::search(words_, name).begin();
+    const auto longest = phrase_at(begin);
+    return longest.size() > name.size() ? longest : name;
+  }
+
+  /// The only phrase with "the" that names a thing; empty if there are several.
+  WordList only_phrase() {
+    WordList result;
+    for (auto at = words_.begin(); at != words_.end(); ++at) {
+      auto phrase = *at == "the" ? phrase_at(at) : WordList{};
+      if (phrase.empty())
+        continue;
+      if (!result.empty())
+        return {};
+      at += std::ssize(phrase) - 1;
+      result = std::move(phrase);
+    }
+    return result;
+  }
+
+  /// The longest that begins there and names a thing; empty if none does.
+  WordList phrase_at(WordList::const_iterator begin) {
+    constexpr std::ptrdiff_t most_words = 10;
+    for (auto end = begin + std::min(most_words, words_.end() - begin); end != begin; --end) {
+      WordList phrase(begin, end);
+      if (const auto form = parser_.parse_whole(phrase); form && thing_said(*form))
+        return phrase;
+    }
+    return {};
+  }
 
   const Pieces& pieces() {
     if (!pieces_)

@@ -434,9 +434,9 @@ std::optional<PackedLogicalForm> partly_understood(Parser& parser, const WordLis
     return result;
   if (meaning.is_wish())
     return std::nullopt;
-  if (auto result = remark_in(parser, words))
-    return result;
-  auto result = meaning.is_remark(true) ? parsed_remark(parser, words) : std::nullopt;
+  auto result = remark_in(parser, words);
+  if (!result && meaning.is_remark(true))
+    result = parsed_remark(parser, words);
   if (result)
     result->mention = meaning.mention();
   return result;

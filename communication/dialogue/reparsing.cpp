@@ -1,5 +1,6 @@
 #include "castor/communication/dialogue/reparsing.hpp"
 
+#include "castor/communication/dialogue/alternatives.hpp"
 #include "castor/communication/dialogue/asides.hpp"
 #include "castor/communication/dialogue/beside_requests.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
@@ -100,6 +101,9 @@ std::optional<WordList> paraphrased(WordList words, const Lexicon& lexicon, bool
 
 std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
                                           const PackedLogicalForm& form) {
+  // That there is room enough is nothing to be asked: it is tried.
+  if (auto result = parsed_alternative(parser, words, part_parser(parser)))
+    return result;
   if (auto other = paraphrased(words, parser.lexicon(), true))
     if (auto result = parsed_paraphrase(parser, std::move(*other)))
       return result;

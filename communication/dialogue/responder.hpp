@@ -58,6 +58,7 @@ private:
   Response list(const Things& things) const;
   Response where(const Nominal& phrase);
   Response way_to(const Nominal& phrase);
+  bool is_on_another(const std::string& id);
   std::optional<LogicalForm> place_of(const std::string& id);
   std::optional<LogicalForm> where_it_is(const Fitting& found, const Nominal& asked);
   Response what(const Nominal& phrase);

@@ -342,9 +342,22 @@ Response Responder::where(const Nominal& phrase) {
     const auto place = place_of(id);
     if (!place)
       return answer(i_do_not_know());
-    result.sentences.push_back({ascribe(thing, *place)});
+    // Beside each other, none of many things would be anywhere.
+    constexpr std::size_t many = 3;
+    const auto sides = things.size() < many || is_on_another(id) ? std::vector<std::string>{}
+                                                                 : evaluation_.sides_of(id);
+    if (sides.empty())
+      result.sentences.push_back({ascribe(thing, *place)});
+    else
+      result.sentences.push_back({ascribe(thing, region(sides)), ascribe(thing, *place)});
   }
   return result;
+}
+
+/// Whether it stands on another thing.
+bool Responder::is_on_another(const std::string& id) {
+  const auto facts = scene_.spatial_facts(id);
+  return std::ranges::find(facts, "on", &SpatialFact::relation) != facts.end();
 }
 
 /// Where an individual is, by what it is in, or by what is near; nothing if nobody tells.

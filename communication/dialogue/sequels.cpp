@@ -2,6 +2,7 @@
 
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
+#include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/dialogue/utterance_parts.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
@@ -119,6 +120,9 @@ private:
     if (!before.empty() &&
         is_among(before.back(), {"see", "check", "me", "know", "ask", "say", "as", "even", "what"}))
       return std::nullopt;
+    if (!before.empty() && (begins_question(before) || is_among(before.front(), {"can", "could"})))
+      if (auto result = on_answer(before, at))
+        return result;
     if (!before.empty()) {
       auto rest = part(at + 1, words_.size());
       const auto otherwise = split_otherwise(rest);
@@ -135,9 +139,30 @@ private:
           is_boundary) {
         auto request = part(i, words_.size());
         const auto otherwise = split_otherwise(request);
-        if (auto result = conditional(part(at + 1, i), request, otherwise, is_negated))
+        if (auto result = conditional(condition(at + 1, i), request, otherwise, is_negated))
           return result;
       }
+    return std::nullopt;
+  }
+
+  /// "So" says that it is, in "if so".
+  WordList condition(std::size_t begin, std::size_t end) const {
+    auto result = part(begin, end);
+    return result.empty() && words_[begin] == "so" ? WordList{"so"} : result;
+  }
+
+  /// "Can it stand on the cube, and if so, will you put it there?"
+  /// \param at place of "if"
+  std::optional<PackedLogicalForm> on_answer(const WordList& question, std::size_t at) {
+    for (auto i = at + 2; i + 1 < words_.size(); ++i) {
+      const auto clause = condition(at + 1, i);
+      if (clause.empty() || !takes_up_question(clause))
+        continue;
+      auto request = part(i, words_.size());
+      const auto otherwise = split_otherwise(request);
+      const bool is_negated = is_among(clause.back(), {"not", "no", "n't"});
+      return conditional(question, request, otherwise, is_negated);
+    }
     return std::nullopt;
   }
 
@@ -173,8 +198,10 @@ private:
     if (!result)
       return std::nullopt;
     result->sequel = std::move(sequel);
-    const auto type = move_of(*result, parser_.lexicon()).type;
-    const bool can_be_so = takes_up_question(condition) || type == DialogueMoveType::question_yn;
+    const auto move = move_of(*result, parser_.lexicon());
+    const bool can_be_so = takes_up_question(condition) ||
+                           move.type == DialogueMoveType::question_yn ||
+                           asks_for_ability(move.content);
     return can_be_so ? result : std::nullopt;
   }
 

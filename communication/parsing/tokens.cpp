@@ -1,8 +1,12 @@
 #include "castor/communication/parsing/tokens.hpp"
 
+#include "castor/communication/parsing/feasibility.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 
 namespace castor::communication {
 
@@ -130,11 +134,17 @@ bool is_after_title(std::string_view text) {
   return std::ranges::find(titles, word) != titles.end();
 }
 
-/// "Otherwise, leave it there": says nothing without the sentence before.
+/// "Otherwise, leave it there", "if there is no room, put it on the left": says nothing without the
+/// sentence before.
 bool goes_on_with_condition(std::string_view before, std::string_view rest) {
   const auto first = words_of(rest.substr(0, rest.find_first_of(",.!?")));
-  const bool is_alternative = !first.empty() && (first.front() == "otherwise" ||
-                                                 first == std::vector<std::string>{"if", "not"});
+  constexpr std::size_t longest_denial = 4;
+  const bool is_denial = first.size() > 1 && first.size() <= longest_denial &&
+                         first.front() == "if" && is_among(first.back(), {"not", "n't", "no"});
+  const bool is_alternative = !first.empty() && (first.front() == "otherwise" || is_denial);
+  if (first.size() > 1 && first.front() == "if" &&
+      says_it_fails({std::next(first.begin()), first.end()}))
+    return true;
   const auto words = words_of(before);
   return is_alternative && std::ranges::find(words, "if") != words.end();
 }

@@ -1,4 +1,5 @@
 #include "castor/planning/motivation/table_goal_maker.hpp"
+#include "castor/planning/motivation/table_history.hpp"
 #include "castor/planning/motivation/table_spots.hpp"
 
 #include <algorithm>
@@ -31,23 +32,45 @@ double distance(const TableThing& a, const TableThing& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+/// An order in which things can be listed.
+struct ListOrder {
+  std::string_view action;
+  std::string_view words;
+  /// The least comes first.
+  double (*key)(const TableThing& x);
+};
+
+constexpr std::array<ListOrder, 8> list_orders{
+  {{"ListFromLeft", "From left to right", [](const TableThing& x) { return x.x; }},
+   {"ListFromRight", "From right to left", [](const TableThing& x) { return -x.x; }},
+   {"ListFromFront", "From front to back", [](const TableThing& x) { return x.y; }},
+   {"ListFromBack", "From back to front", [](const TableThing& x) { return -x.y; }},
+   {"ListFromSmallest", "From small to large",
+    [](const TableThing& x) { return x.width() * x.width() * x.height; }},
+   {"ListFromLargest", "From large to small",
+    [](const TableThing& x) { return -x.width() * x.width() * x.height; }},
+   {"ListFromLowest", "From low to high", [](const TableThing& x) { return x.height; }},
+   {"ListFromHighest", "From high to low", [](const TableThing& x) { return -x.height; }}}};
+
+const ListOrder* list_order(std::string_view action) {
+  const auto found = std::ranges::find(list_orders, action, &ListOrder::action);
+  return found == list_orders.end() ? nullptr : &*found;
+}
+
 } // namespace
 
 bool is_question(std::string_view action) {
   constexpr std::array<std::string_view, 12> questions{
-    "WhereWas", "WhichMoved", "WhatKept",  "MayTouch",  "HowFar",      "HowFarMoved",
-    "HowTall",  "HowWide",    "LastMoved", "HaveMoved", "ClosestPair", "FarthestPair"};
-  return std::ranges::find(questions, action) != questions.end();
+    "Displaced",   "Touching", "WhereWas", "WhatKept",  "MayTouch",    "HowFar",
+    "HowFarMoved", "HowTall",  "HowWide",  "HaveMoved", "ClosestPair", "FarthestPair"};
+  return std::ranges::find(questions, action) != questions.end() || list_order(action) != nullptr ||
+         asks_about_history(action);
 }
 
 TableGoal TableGoalMaker::answer_question() const {
   const auto& action = step_.action;
   if (action == "WhereWas")
     return where_was();
-  if (action == "WhichMoved")
-    return which_moved();
-  if (action == "LastMoved")
-    return last_moved();
   if (action == "HaveMoved")
     return have_moved();
   if (action == "HowFarMoved")
@@ -60,14 +83,52 @@ TableGoal TableGoalMaker::answer_question() const {
     return how_far();
   if (action == "ClosestPair" || action == "FarthestPair")
     return extreme_pair(action == "ClosestPair");
+  if (list_order(action) != nullptr)
+    return list_in_order();
+  if (action == "Displaced")
+    return displaced();
+  if (action == "Touching")
+    return touching();
   return how_large(action == "HowTall");
 }
 
-TableGoal TableGoalMaker::last_moved() const {
+/// "Is everything where it was at the beginning?"
+TableGoal TableGoalMaker::displaced() const {
+  Things moved;
   for (const auto& x : table_)
-    if (x.is_last_moved)
-      return answer("The last thing that I moved is " + x.words + '.');
-  return answer("I have moved nothing.");
+    if (x.was_moved() && (x.is_held || x.waypoint != x.waypoint_at_first))
+      moved.push_back(&x);
+  if (moved.empty())
+    return answer("Everything is where it was at first.");
+  return answer(sentence(listed(moved) + are(moved) + " not where " +
+                         (moved.size() == 1 ? "it was" : "they were") + " at first"));
+}
+
+TableGoal TableGoalMaker::touching() const {
+  if (things_.size() != 2)
+    return refusal("I can say whether two things touch each other: tell me which two.");
+  const auto& a = *things_.front();
+  const auto& b = *things_.back();
+  if (a.is_held || b.is_held)
+    return answer("No, I hold " + (a.is_held ? a : b).words + " now.");
+  if (a.on == b.object || b.on == a.object)
+    return answer("Yes: " + (a.on == b.object ? a : b).words + " stands on the other.");
+  const double gap = distance(a, b) - (a.width() + b.width()) / 2;
+  // Vision does not see more exactly than that.
+  constexpr double exactness = 0.006;
+  return answer(gap < exactness
+                  ? "Yes, or nearly: I see no gap between them."
+                  : "No: there are about " + fine_centimetres(gap) + " between them.");
+}
+
+TableGoal TableGoalMaker::list_in_order() const {
+  const auto& order = *list_order(step_.action);
+  auto listed_things = things_;
+  std::erase_if(listed_things, [](const auto* x) { return x->is_held; });
+  std::ranges::stable_sort(listed_things, {}, [&](const auto* x) { return order.key(*x); });
+  return answer(listed_things.empty()
+                  ? "There is nothing to list."
+                  : std::string{order.words} + ": " + listed(listed_things) + '.');
 }
 
 TableGoal TableGoalMaker::have_moved() const {

@@ -55,7 +55,6 @@ private:
 
   // -- questions (table_answers.cpp)
   TableGoal answer_question() const;
-  TableGoal last_moved() const;
   TableGoal have_moved() const;
   Things those_moved() const;
   TableGoal how_far_moved() const;
@@ -64,6 +63,9 @@ private:
   TableGoal how_far() const;
   TableGoal extreme_pair(bool is_closest) const;
   TableGoal how_large(bool is_height) const;
+  TableGoal list_in_order() const;
+  TableGoal displaced() const;
+  TableGoal touching() const;
 
   // -- what was before (table_goals_back.cpp)
   TableGoal put_back();
@@ -74,7 +76,6 @@ private:
   void back_to(const TableThing& x, const std::string& waypoint);
   std::string it_was() const;
   TableGoal where_was() const;
-  TableGoal which_moved() const;
 
   // -- places (table_goals_places.cpp); those with an optional result say why it is impossible
   TableGoal put();

@@ -97,16 +97,4 @@ TableGoal TableGoalMaker::where_was() const {
   return {TableWish::answer, {}, {}, 0, std::move(result)};
 }
 
-TableGoal TableGoalMaker::which_moved() const {
-  Things moved;
-  for (const auto& x : table_)
-    if (x.was_moved())
-      moved.push_back(&x);
-  return {TableWish::answer,
-          {},
-          {},
-          0,
-          moved.empty() ? "I have moved nothing." : "I have moved " + listed(moved) + '.'};
-}
-
 } // namespace castor::planning

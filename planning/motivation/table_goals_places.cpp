@@ -14,9 +14,18 @@ namespace castor::planning {
 
 namespace {
 
-bool is_round(const TableThing& x) {
+std::string_view shape_of(const TableThing& x) {
   const auto shape = x.qualities.find("shape");
-  return shape != x.qualities.end() && shape->second == "sphere";
+  return shape == x.qualities.end() ? std::string_view{} : shape->second;
+}
+
+bool is_round(const TableThing& x) {
+  return shape_of(x) == "sphere";
+}
+
+/// Nothing can be put into a solid.
+bool is_solid(const TableThing& x) {
+  return is_round(x) || shape_of(x) == "cube" || shape_of(x) == "cylinder";
 }
 
 /// "At the front, in the middle": parts that are said together are met together.
@@ -283,6 +292,10 @@ std::optional<std::string> TableGoalMaker::put_at_landmarks(const DirectivePlace
   for (const auto* x : things_)
     if (std::ranges::find(landmarks, x) != landmarks.end())
       return "I cannot put " + x->words + ' ' + std::string{known->words} + " itself.";
+  if (place.relation == "in")
+    for (const auto* x : landmarks)
+      if (is_solid(*x))
+        return "I see no opening in " + x->words + ": I can put things on it, but not into it.";
   where += ' ' + std::string{known->words} + ' ' + listed(landmarks);
   if (known->predicate != "on")
     landmarks = without_upper_ones(std::move(landmarks));

@@ -75,7 +75,13 @@ std::optional<std::string> TableGoalMaker::put_at_spot(const DirectivePlace& pla
 
 /// "One ball on each side of the cube."
 TableGoal TableGoalMaker::put_on_both_sides(const DirectivePlace& place) {
-  const auto* middle = place.landmarks.size() == 1 ? thing(place.landmarks.front()) : nullptr;
+  Things middles;
+  for (const auto& proxy : place.landmarks)
+    if (const auto* x = thing(proxy))
+      middles.push_back(x);
+  // A stack has its sides where the lowest thing has them.
+  middles = without_upper_ones(std::move(middles));
+  const auto* middle = middles.size() == 1 ? middles.front() : nullptr;
   std::erase(things_, middle);
   if (middle == nullptr || things_.size() != 2)
     return refusal("I can put two things on both sides of one.");

@@ -23,6 +23,15 @@ inline constexpr double finger_gap = 0.035;
 /// What stands so near to its place is not moved to it, metres.
 inline constexpr double stands_right = 0.008;
 
+/// A move of something on the table that was made.
+struct TableMove {
+  /// The planner's name for the thing, and how it is called: "the red ball".
+  std::string object;
+  std::string words;
+
+  friend bool operator==(const TableMove&, const TableMove&) = default;
+};
+
 /// Something on the table that requests are about.
 struct TableThing {
   /// The proxy by which requests refer to it.

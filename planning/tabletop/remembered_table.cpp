@@ -25,7 +25,6 @@ RememberedTable TableMemory::remembered() const {
                           x.is_kept,
                           x.is_kept_clear,
                           x.waypoint_noted,
-                          x.is_last_moved,
                           x.seen.lengths};
     for (const auto& [kind, value] : x.seen.qualities)
       thing.qualities.push_back({kind, value});
@@ -37,6 +36,9 @@ RememberedTable TableMemory::remembered() const {
     result.chosen.push_back({waypoint, wanted});
   result.done.assign(done_.begin(), done_.end());
   result.next_waypoint = next_waypoint_;
+  result.moves = history_.moves;
+  for (const auto& move : history_.remembered)
+    result.last_moves.push_back({move.object, move.words});
   return result;
 }
 
@@ -46,6 +48,9 @@ void TableMemory::recall(const RememberedTable& x) {
   chosen_.clear();
   done_ = {x.done.begin(), x.done.end()};
   next_waypoint_ = x.next_waypoint;
+  history_ = {x.moves, {}};
+  for (const auto& move : x.last_moves)
+    history_.remembered.push_back({move.thing, move.words});
   for (const auto& waypoint : x.waypoints)
     waypoints_[waypoint.name] = waypoint.place;
   for (const auto& choice : x.chosen)
@@ -60,7 +65,7 @@ void TableMemory::recall(const RememberedTable& x) {
     things_.push_back({thing.name, std::move(seen), thing.waypoint, thing.waypoint_before,
                        thing.is_held, thing.on, thing.former_proxies, thing.waypoint_before_goal,
                        thing.waypoint_at_first, thing.is_kept, thing.is_kept_clear,
-                       thing.waypoint_noted, thing.is_last_moved});
+                       thing.waypoint_noted});
   }
   for (auto& y : things_)
     if (thing(y.on) == nullptr)

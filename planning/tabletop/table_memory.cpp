@@ -24,6 +24,8 @@ constexpr double least_room = 0.03;
 
 constexpr std::size_t most_former_proxies = 16;
 
+constexpr std::size_t most_remembered_moves = 64;
+
 constexpr std::string_view choosing = "reposition-";
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 8> predicates{
@@ -119,8 +121,13 @@ void TableMemory::leave(Thing& x) {
   if (x.waypoint_at_first.empty())
     x.waypoint_at_first = x.waypoint;
   x.waypoint_before = x.waypoint;
-  for (auto& y : things_)
-    y.is_last_moved = &y == &x;
+  // What was taken is put down by the same move.
+  if (!x.is_held) {
+    ++history_.moves;
+    history_.remembered.push_back({x.name, words(x)});
+    if (history_.remembered.size() > most_remembered_moves)
+      history_.remembered.erase(history_.remembered.begin());
+  }
   x.on.clear();
 }
 
@@ -198,7 +205,8 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
     thing.height = x.seen.height;
     thing.on = x.on;
     thing.waypoint_noted = x.waypoint_noted;
-    thing.is_last_moved = x.is_last_moved;
+    thing.is_last_moved =
+      !history_.remembered.empty() && history_.remembered.back().object == x.name;
     if (const auto* before = place(x.waypoint_before))
       thing.spot_before = {x.waypoint_before, before->x, before->y};
     for (const auto& at : places)

@@ -4,6 +4,7 @@
 #include "castor/perception/spatial/types.hpp"
 #include "castor/planning/continual/types.hpp"
 #include "castor/planning/motivation/table_goals.hpp"
+#include "castor/planning/motivation/table_history.hpp"
 #include "castor/planning/tabletop/things_in_way.hpp"
 #include "castor/planning/tabletop/types.hpp"
 
@@ -66,8 +67,6 @@ public:
     bool is_kept_clear = false;
     /// Where it was when people said to remember that.
     std::string waypoint_noted = {};
-    /// It was moved, and nothing was after it.
-    bool is_last_moved = false;
   };
 
   /// @param agent who acts, and nouns by shapes: "ball" for "sphere"
@@ -99,6 +98,8 @@ public:
   bool has_moved() const { return !is_unmoved_; }
   /// Remembers where things are now.
   void note_places();
+  /// The moves that were made.
+  const TableHistory& history() const { return history_; }
 
   // -- for the planner
 
@@ -172,6 +173,7 @@ private:
   std::set<std::string> pushed_to_;
   /// Nothing has been moved for the goal yet.
   bool is_unmoved_ = true;
+  TableHistory history_;
   std::size_t next_waypoint_ = 1;
 };
 

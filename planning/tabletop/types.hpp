@@ -79,7 +79,6 @@ struct RememberedThing {
   bool is_kept_clear = false;
   /// Where it was when people said to remember that.
   std::string waypoint_noted;
-  bool is_last_moved = false;
   /// As of ThingOnTable.
   geometry::Point3 lengths = {};
 
@@ -101,6 +100,14 @@ struct RememberedChoice {
   friend bool operator==(const RememberedChoice&, const RememberedChoice&) = default;
 };
 
+/// A move that was made: the planner's name of the thing, and how it is called.
+struct RememberedMove {
+  std::string thing;
+  std::string words;
+
+  friend bool operator==(const RememberedMove&, const RememberedMove&) = default;
+};
+
 /// Entry: what a TableExecutor knows of the table that is not to be seen, so that its successor
 /// knows it too. Its id is `remembered_table`.
 struct RememberedTable {
@@ -110,6 +117,9 @@ struct RememberedTable {
   /// Facts of the goal that nobody sees.
   std::vector<std::string> done;
   std::uint64_t next_waypoint = 1;
+  /// Number of moves that were made, and the last of them in their order.
+  std::uint64_t moves = 0;
+  std::vector<RememberedMove> last_moves = {};
 
   friend bool operator==(const RememberedTable&, const RememberedTable&) = default;
 };
@@ -161,9 +171,10 @@ CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopp
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
                waypoint_before, is_held, on, former_proxies, waypoint_before_goal,
-               waypoint_at_first, is_kept, is_kept_clear, waypoint_noted, is_last_moved, lengths)
+               waypoint_at_first, is_kept, is_kept_clear, waypoint_noted, lengths)
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
-CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint)
+CASTOR_REFLECT(RememberedMove, thing, words)
+CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint, moves, last_moves)
 
 } // namespace castor::planning

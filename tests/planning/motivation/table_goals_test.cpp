@@ -436,12 +436,6 @@ TEST(TableGoals, FurtherByALengthIsThatFar) {
   EXPECT_EQ(goal.words, "put the blue ball 10 centimetres further left");
 }
 
-TEST(TableGoals, SaysWhatWasMoved) {
-  EXPECT_EQ(goal_of({"WhichMoved", {}, 0, {}, {}}, table).words, "I have moved the red box.");
-  EXPECT_EQ(goal_of({"WhichMoved", {}, 0, {}, {}}, std::span{table}.first(2)).words,
-            "I have moved nothing.");
-}
-
 TEST(TableGoals, ThingsOfARowHaveASpotEach) {
   const auto goal = goal_of({"Put", {"p/a", "p/b", "p/c"}, 0, {{"in-row", {}}}, {}}, table);
   EXPECT_EQ(goal.words, "put the red ball, the blue ball and the red box in a row");

@@ -276,14 +276,10 @@ TEST(TableAnswers, DistancesAndSizes) {
 
 TEST(TableAnswers, WhatWasMovedAndHowFar) {
   auto things = spotted();
-  EXPECT_EQ(words_of({"LastMoved", {}, 0, {}, {}}, things), "I have moved nothing.");
   EXPECT_EQ(words_of({"HaveMoved", {"p/ball"}, 0, {}, {}}, things),
             "No, I have not moved the ball.");
   things[0].waypoint_before = "place-1";
   things[0].spot_before = {"place-1", -0.1, 0.0};
-  things[0].is_last_moved = true;
-  EXPECT_EQ(words_of({"LastMoved", {}, 0, {}, {}}, things),
-            "The last thing that I moved is the ball.");
   EXPECT_EQ(words_of({"HaveMoved", {"p/ball", "p/box"}, 0, {}, {}}, things),
             "Yes, I have moved the ball, but not the box.");
   EXPECT_EQ(words_of({"HowFarMoved", {"p/ball", "p/box"}, 1, {}, {}}, things),

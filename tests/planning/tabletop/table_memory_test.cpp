@@ -368,6 +368,28 @@ TEST_F(TableMemoryTest, RemembersHowThingsWereWhenToldTo) {
   EXPECT_TRUE(things[1].is_last_moved);
 }
 
+TEST_F(TableMemoryTest, RemembersItsMovesInTheirOrder) {
+  const auto name = memory.things({})[0].words;
+  memory.taken("p1");
+  memory.moved("p1", "place-7", "o1", {0.2, 0.1});
+  memory.moved("p2", "place-8", "o2", {-0.2, 0.1});
+  memory.moved("p1", "place-9", "o1", {0.0, 0.1});
+  EXPECT_EQ(memory.history().moves, 3U);
+  TableMemory successor{"robot"};
+  successor.recall(memory.remembered());
+  EXPECT_EQ(successor.history(), memory.history());
+  ASSERT_EQ(successor.history().remembered.size(), 3U);
+  EXPECT_EQ(successor.history().remembered[2], (TableMove{"p1", name}));
+  EXPECT_EQ(successor.history().remembered[1].object, "p2");
+}
+
+TEST_F(TableMemoryTest, ForgetsItsFirstMovesButNotHowManyThereWere) {
+  for (int i = 0; i < 100; ++i)
+    memory.moved("p1", "place-" + std::to_string(50 + i), "o1", {0.2, 0.1});
+  EXPECT_EQ(memory.history().moves, 100U);
+  EXPECT_LT(memory.history().remembered.size(), 100U);
+}
+
 TEST_F(TableMemoryTest, TellsWhatStandsOnWhat) {
   const auto place = new_place();
   memory.choose("reposition-on", {place, "p2"});

@@ -1,0 +1,133 @@
+#include "castor/planning/motivation/table_history.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace castor::planning {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// More moves than these are too many to say.
+constexpr std::size_t most_said = 8;
+
+std::string counted(std::uint64_t number, const std::string& noun) {
+  constexpr std::array<const char*, 11> numerals{"no",  "one",   "two",   "three", "four", "five",
+                                                 "six", "seven", "eight", "nine",  "ten"};
+  return (number < numerals.size() ? numerals.at(number) : std::to_string(number)) + (' ' + noun) +
+         (number == 1 ? "" : "s");
+}
+
+std::string listed(const Words& names) {
+  std::string result;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    result += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return result;
+}
+
+/// "The ball, then the cube, and then the ball again".
+std::string in_order(std::span<const TableMove> moves) {
+  std::string result;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const auto before = moves.first(i);
+    const bool is_again =
+      std::ranges::find(before, moves[i].object, &TableMove::object) != before.end();
+    result += (i == 0                  ? ""
+               : i + 1 == moves.size() ? i == 1 ? " and then " : ", and then "
+                                       : ", then ") +
+              moves[i].words + (is_again ? " again" : "");
+  }
+  return result;
+}
+
+/// Of the moves of the things that are asked about.
+class HistoryAnswer {
+public:
+  HistoryAnswer(const communication::DirectiveStep& step, std::span<const TableThing> table,
+                const TableHistory& history)
+    : moves_(history.moves), remembered_(history.remembered) {
+    for (const auto& x : table)
+      if (step.things.empty() || is_one_of(x, step.things))
+        things_.push_back(&x);
+    if (step.things.empty())
+      return;
+    std::erase_if(remembered_, [&](const TableMove& move) {
+      return std::ranges::none_of(things_, [&](auto* x) { return x->object == move.object; });
+    });
+    moves_ = remembered_.size();
+  }
+
+  std::string to(std::string_view action) const {
+    if (action == "NotMoved")
+      return which_were_not_moved();
+    if (remembered_.empty())
+      return "I have moved nothing.";
+    if (action == "LastMoved")
+      return "The last thing that I moved is " + remembered_.back().words + '.';
+    if (action == "FirstMoved")
+      return moves_ > remembered_.size()
+               ? "I do not remember what I moved first: that is too long ago."
+               : "The first thing that I moved is " + remembered_.front().words + '.';
+    if (action == "HowManyMoves")
+      return "I have made " + counted(moves_, "move") + ": " + last_in_order();
+    if (action == "MovesInOrder")
+      return "I have moved " + last_in_order();
+    return which_were_moved();
+  }
+
+private:
+  static bool is_one_of(const TableThing& x, const Words& proxies) {
+    return std::ranges::any_of(proxies, [&](const auto& proxy) {
+      return proxy == x.proxy ||
+             std::ranges::find(x.former_proxies, proxy) != x.former_proxies.end();
+    });
+  }
+
+  std::string last_in_order() const {
+    const std::span all{remembered_};
+    const auto said = all.last(std::min(all.size(), most_said));
+    return (moves_ > said.size() ? "last " : "") + in_order(said) + '.';
+  }
+
+  std::string which_were_moved() const {
+    Words names;
+    std::vector<std::string> objects;
+    for (const auto& x : remembered_)
+      if (std::ranges::find(objects, x.object) == objects.end()) {
+        objects.push_back(x.object);
+        names.push_back(x.words);
+      }
+    return "I have moved " + (names.size() == 1 ? "" : counted(names.size(), "thing") + ": ") +
+           listed(names) + '.';
+  }
+
+  std::string which_were_not_moved() const {
+    Words names;
+    for (const auto* x : things_)
+      if (std::ranges::find(remembered_, x->object, &TableMove::object) == remembered_.end())
+        names.push_back(x->words);
+    return names.empty() ? "I have moved all of them." : "I have not moved " + listed(names) + '.';
+  }
+
+  std::uint64_t moves_ = 0;
+  std::vector<TableMove> remembered_;
+  std::vector<const TableThing*> things_;
+};
+
+} // namespace
+
+bool asks_about_history(std::string_view action) {
+  constexpr std::array<std::string_view, 6> questions{"WhichMoved", "NotMoved",     "LastMoved",
+                                                      "FirstMoved", "HowManyMoves", "MovesInOrder"};
+  return std::ranges::find(questions, action) != questions.end();
+}
+
+std::string answer_about_history(const communication::DirectiveStep& step,
+                                 std::span<const TableThing> table, const TableHistory& history) {
+  return HistoryAnswer{step, table, history}.to(step.action);
+}
+
+} // namespace castor::planning
