@@ -407,25 +407,29 @@ Things DirectiveThings::landmarks_of(const Nominal& phrase, const Things& patien
 
 /// "The green one" is one of those that are put in the row.
 Things DirectiveThings::ends_named(const Nominal& phrase, const Things& things) {
+  const auto is_other = [&](const auto& id) {
+    return std::ranges::find(things, id) == things.end();
+  };
+  std::optional<Uninterpretable> problem;
   try {
-    return landmarks_of(phrase, {});
+    if (auto named = landmarks_of(phrase, {}); std::ranges::none_of(named, is_other))
+      return named;
   } catch (const Uninterpretable& e) {
     if (e.what != phrase.name)
       throw;
-    auto form = with_thing_for(phrase);
-    // "On the left" is where it is to stand.
-    std::erase_if(find_nominal(form, phrase.name)->relations, [&](const NominalRelation& x) {
-      const auto* place = find_nominal(form, x.dependent);
-      return x.mode == "Location" && place != nullptr &&
-             dependent(form, *place, "Anchor") == nullptr;
-    });
-    auto like = Evaluation{form, antecedents_, scene_}.described(*find_nominal(form, phrase.name));
-    std::erase_if(like.certain,
-                  [&](const auto& id) { return std::ranges::find(things, id) == things.end(); });
-    if (like.certain.size() != 1)
-      throw;
-    return like.certain;
+    problem = e;
   }
+  auto form = with_thing_for(phrase);
+  // "On the left" is where it is to stand.
+  std::erase_if(find_nominal(form, phrase.name)->relations, [&](const NominalRelation& x) {
+    const auto* place = find_nominal(form, x.dependent);
+    return x.mode == "Location" && place != nullptr && dependent(form, *place, "Anchor") == nullptr;
+  });
+  auto like = Evaluation{form, antecedents_, scene_}.described(*find_nominal(form, phrase.name));
+  std::erase_if(like.certain, is_other);
+  if (like.certain.size() == 1)
+    return like.certain;
+  throw problem.value_or(Uninterpretable{Reason::nothing_like, phrase.name});
 }
 
 std::optional<Things> DirectiveThings::from_left(const Nominal& x, const Things& things) {

@@ -1,7 +1,10 @@
 // From what is said to packed logical forms, dialogue moves and clarification requests, on working
 // memory.
+#include "castor/actors/component/registry.hpp"
+#include "castor/actors/component/subarchitecture_component.hpp"
 #include "castor/actors/system/system.hpp"
 #include "castor/communication/types.hpp"
+#include "castor/planning/motivation/types.hpp"
 #include "castor/tests/support/temporary_folder.hpp"
 #include "castor/tools/testing/test_system.hpp"
 
@@ -46,6 +49,50 @@ std::vector<T> all(TestSystem& system) {
     if (auto x = entry->value.as<T>())
       result.push_back(*x);
   return result;
+}
+
+/// Whoever acts on requests: tells of each that it is over.
+class RequestEnder final : public UnmanagedComponent {
+  void start() override {
+    on_change(added<DialogueMove>().in("communication"), [this](const ChangeEvent& event) {
+      add(planning::RequestEnded{EntryPointer<DialogueMove>{event.address}, is_done_.get()});
+    });
+  }
+
+  Option<bool> is_done_{this, "done", false, "whether requests are done"};
+};
+
+CASTOR_COMPONENT(RequestEnder, "tells that requests are over")
+
+/// Somebody asks for something, which is done or cannot be done.
+std::string asking(const std::string& text, bool is_done) {
+  return "HOST localhost\n"
+         "SUBARCHITECTURE communication\n"
+         "CPP WM SubarchitectureWorkingMemory\n"
+         "CPP TM AlwaysPositiveTaskManager\n"
+         "CPP UM utterances UtteranceSource --text \"" +
+         text +
+         "\"\n"
+         "CPP UM parser UtteranceParser --lexicon \"english.ccg actions.ccg tabletop.words "
+         "table-actions.words\" --base \"" CASTOR_LANGUAGE_FOLDER "\"\n"
+         "CPP UM interpreter DialogueInterpreter\n"
+         "CPP UM planner ContentPlanner --motivation motivation\n"
+         "SUBARCHITECTURE motivation\n"
+         "CPP WM SubarchitectureWorkingMemory\n"
+         "CPP TM AlwaysPositiveTaskManager\n"
+         "CPP UM ender RequestEnder" +
+         std::string{is_done ? " --done" : ""} + "\n";
+}
+
+TEST(CommunicationSystem, SaysTheAlternativeOfARequestThatCannotBeDone) {
+  const std::string alternative =
+    "Put the ball behind the box, or in front of it if there is no room.";
+  const std::string question = "Put the ball behind the box, and then tell me where it is.";
+  TestSystem refused{asking(alternative, false)};
+  refused.expect_entry(
+    "PhonString in communication where word_sequence == \"put the ball in front of it\"");
+  TestSystem asked{asking(question, true)};
+  asked.expect_entry("PhonString in communication where word_sequence == \"tell me where it is\"");
 }
 
 TEST(CommunicationSystem, FormsGrowWordByWord) {
