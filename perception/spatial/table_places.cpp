@@ -24,6 +24,8 @@ constexpr double less_likely = 4;
 constexpr std::size_t most_beside = 4;
 /// So much worse places at hand, or as near to a corner as can be, are that take a stop on the way.
 constexpr double stop_worth_it = 0.1;
+/// And places in a direction from another thing: they are clearly in it, or it takes no stop.
+constexpr double stop_worth_for_direction = 0.35;
 
 /// From one to the other, both included, no further apart than the step; none if there is no room.
 std::vector<double> positions_between(double from, double to, double step) {
@@ -53,6 +55,12 @@ std::optional<SpatialRelation> direction(const std::string& word) {
     if (name == word && relation != SpatialRelation::near)
       return relation;
   return std::nullopt;
+}
+
+/// To one side of another thing.
+bool is_one_direction(std::span<const PlaceWanted> places) {
+  return places.size() == 1 && places.front().landmarks.size() == 1 &&
+         direction(places.front().relation);
 }
 
 } // namespace
@@ -275,9 +283,10 @@ PlacesFound TablePlaces::find(std::size_t object, std::span<const PlaceWanted> p
         continue;
       const int unlikely = static_cast<int>(reach) + (gap < options_.clearance ? 1 : 0);
       // Who gets a thing has it at hand, though it takes the arm longer.
-      const bool is_worth_stop =
-        unlikely == 1 && reach == Reach::by_stop && are_worth_stop(places, !is_on_table);
-      const double less = is_worth_stop ? stop_worth_it : unlikely * less_likely;
+      const bool takes_stop_only = unlikely == 1 && reach == Reach::by_stop;
+      const double less = takes_stop_only && are_worth_stop(places, !is_on_table) ? stop_worth_it
+                          : takes_stop_only && is_one_direction(places) ? stop_worth_for_direction
+                                                                        : unlikely * less_likely;
       // Of equally good ones, the nearest to where it is.
       const double far = 0.2 * distance(centre, from) + off_side(places, from, centre) +
                          far_off(places, object, centre);
