@@ -100,6 +100,12 @@ private:
   // -- corners (table_goals_corners.cpp)
   TableGoal put_in_each_corner();
   bool is_corner_reached(const TableThing& x, std::string_view corner) const;
+  /// A place at an edge, or as near to it as the arm can put something.
+  struct EdgeSpot {
+    TableSpot spot;
+    bool is_at_edge = true;
+  };
+  std::optional<EdgeSpot> spot_at_edge(const TableThing& x, std::string_view edge) const;
   std::optional<TableSpot> spot_as_near_to(const TableThing& x, std::string_view part) const;
   std::string corner_for_all() const;
   std::optional<std::string> put_in_opposite_corner(std::string& where);

@@ -179,6 +179,63 @@ std::optional<TableSpot> TableGoalMaker::spot_as_near_to(const TableThing& x,
   return is_there ? std::optional{spot_for(x, *found)} : std::nullopt;
 }
 
+/// Where the arm says that it can put the thing: nearest to the edge, and of such places the
+/// nearest to where it is. Nothing if it says so of none, if nobody says where it can, or for
+/// another part. \param edge such as "back-edge"
+std::optional<TableGoalMaker::EdgeSpot> TableGoalMaker::spot_at_edge(const TableThing& x,
+                                                                     std::string_view edge) const {
+  constexpr double step = 0.03;
+  constexpr double most_gap = 0.21;
+  constexpr double least_room = 0.01;
+  auto& landings = room_.landings();
+  const bool is_side = edge == "left-edge" || edge == "right-edge";
+  if (!landings.has_arm() || x.is_held || !(is_side || edge == "front-edge" || edge == "back-edge"))
+    return std::nullopt;
+  const double sign = edge == "left-edge" || edge == "front-edge" ? -1 : 1;
+  const double outermost = (is_side ? table_half_width : table_half_depth) - x.radius;
+  const double end = (is_side ? table_half_depth : table_half_width) - x.radius;
+  const double here = is_side ? x.y : x.x;
+  if (outermost - sign * (is_side ? x.x : x.y) < step)
+    return std::nullopt;
+  struct Candidate {
+    TablePoint at;
+    double gap = 0;
+  };
+  std::vector<Candidate> candidates;
+  for (double gap = 0; gap < most_gap; gap += step) {
+    std::vector<double> along{std::clamp(here, -end, end)};
+    for (double away = step; away < 2 * end; away += step)
+      for (const double at : {here - away, here + away})
+        if (std::abs(at) <= end)
+          along.push_back(at);
+    for (const double y : along) {
+      const double across = sign * (outermost - gap);
+      const TablePoint at = is_side ? TablePoint{across, y} : TablePoint{y, across};
+      if (room_.effort(x, at) && room_.room_around(at, x, {&x}) >= least_room)
+        candidates.push_back({at, gap});
+    }
+  }
+  // Places with a stop on the way take long to find out: of those at an edge, one row is asked for.
+  struct Rows {
+    bool may_stop = false;
+    double first = 0;
+    double last = 0;
+  };
+  constexpr double slack = 1e-6;
+  for (const auto& rows :
+       {Rows{false, 0, step}, Rows{true, step, step}, Rows{false, 2 * step, 3 * step},
+        Rows{true, 2 * step, 3 * step}, Rows{false, 4 * step, most_gap}}) {
+    landings.begin(rows.may_stop);
+    const auto found = std::ranges::find_if(candidates, [&](const Candidate& y) {
+      return y.gap > rows.first - slack && y.gap < rows.last + slack &&
+             landings.lands(x, {y.at.x, y.at.y});
+    });
+    if (found != candidates.end())
+      return EdgeSpot{spot_for(x, found->at), found->gap < step + slack};
+  }
+  return std::nullopt;
+}
+
 /// Several things go into one corner: the one nearest to them that is reached, if any is.
 std::string TableGoalMaker::corner_for_all() const {
   const TablePoint middle = layouts::middle_of(things_);

@@ -278,6 +278,17 @@ TEST(TablePlaces, WhatIsGivenIsAtTheMiddleHalfOfTheFrontEdge) {
   }
 }
 
+TEST(TablePlaces, InFrontOfAThingIsClearlySoThoughItTakesAStop) {
+  const std::vector<TableObject> two{{{0.2, 0.1}, 0.03}, {{0.0, 0.0}, 0.03}};
+  PlacingOptions options;
+  options.reach = [](const GroundPoint& at) {
+    return std::abs(at.x) < 0.05 ? Reach::by_stop : Reach::direct;
+  };
+  const auto at = place_of(TablePlaces{two, seat, options}, 0, {"front", {1}});
+  EXPECT_LT(at.y, -0.05);
+  EXPECT_LT(std::abs(at.x), 0.5 * std::abs(at.y));
+}
+
 TEST(TablePlaces, AQuarterOfTheTableIsTheBetterTheNearerToItsCorner) {
   const std::vector<TableObject> one{{{0, 0}, 0.03}};
   PlacingOptions options;

@@ -94,26 +94,45 @@ TEST(TableGoals, ACornerThatIsNotReachedIsAQuarterOfTheTable) {
             "The corner is out of reach with the blue ball, which is at the back right already.");
 }
 
-/// The reach says where things can be put at all, the arm itself where it can put this one.
-TEST(TableGoals, WhatTheArmCannotPutAtAnEdgeIsPutAsNearAsItCan) {
-  const auto landing = [](double farthest) -> TableLanding {
-    return [farthest](const TableThing&, const std::vector<spatial::GroundPoint>& points, bool) {
-      std::vector<spatial::Reach> result;
-      for (const auto& at : points)
-        result.push_back(at.y < farthest ? spatial::Reach::direct : spatial::Reach::none);
-      return result;
-    };
+/// An arm that can put things up to there.
+TableLanding landing_up_to(double farthest) {
+  return [farthest](const TableThing&, const std::vector<spatial::GroundPoint>& points, bool) {
+    std::vector<spatial::Reach> result;
+    for (const auto& at : points)
+      result.push_back(at.y < farthest ? spatial::Reach::direct : spatial::Reach::none);
+    return result;
   };
+}
+
+/// The reach says where things can be put at all, the arm itself where it can put this one.
+TEST(TableGoals, WhatTheArmCannotPutInTheMiddleOfAnEdgeIsPutAsNearAsItCan) {
   const DirectiveStep back{"Put", {"p/b"}, 0, {{"back-edge", {}}, {"centre", {}}}, {}};
-  const auto goal = goal_of(back, table, reach_in_box, {}, landing(0.13));
+  const auto goal = goal_of(back, table, reach_in_box, {}, landing_up_to(0.13));
   EXPECT_EQ(goal.words, "put the blue ball as near to the middle of the back edge as I reach");
   EXPECT_EQ(goal.formula, "(and (= (pos b) spot-of-b))");
   ASSERT_EQ(goal.spots.size(), 1U);
   EXPECT_LT(goal.spots.front().y, 0.13);
   EXPECT_GT(goal.spots.front().y, 0.09);
   EXPECT_NEAR(goal.spots.front().x, 0, 0.04);
-  EXPECT_EQ(goal_of(back, table, reach_in_box, {}, landing(1)).formula,
+  EXPECT_EQ(goal_of(back, table, reach_in_box, {}, landing_up_to(1)).formula,
             "(and (in-part b back-edge-middle))");
+}
+
+TEST(TableGoals, WhatIsPutAtAnEdgeStandsWhereTheArmCanPutIt) {
+  const DirectiveStep back{"Put", {"p/b"}, 0, {{"back-edge", {}}}, {}};
+  const auto there = goal_of(back, table, reach_in_box, {}, landing_up_to(1));
+  EXPECT_EQ(there.words, "put the blue ball at the back edge");
+  EXPECT_EQ(there.formula, "(and (= (pos b) spot-of-b))");
+  ASSERT_EQ(there.spots.size(), 1U);
+  EXPECT_GT(there.spots.front().y, 0.2);
+  const auto near = goal_of(back, table, reach_in_box, {}, landing_up_to(0.13));
+  EXPECT_EQ(near.words, "put the blue ball as near to the back edge as I reach");
+  ASSERT_EQ(near.spots.size(), 1U);
+  EXPECT_LT(near.spots.front().y, 0.13);
+  EXPECT_GT(near.spots.front().y, 0.09);
+  // What nobody says to be possible is left to who plans it.
+  EXPECT_EQ(goal_of(back, table, reach_in_box, {}, landing_up_to(-1)).formula,
+            "(and (in-part b back-edge))");
 }
 
 TEST(TableGoals, WhatStandsOnAnotherIsBesideNothing) {

@@ -274,6 +274,49 @@ TEST(TableAnswers, DistancesAndSizes) {
             "The ball and the box: they are about 30 centimetres apart.");
 }
 
+TEST(TableAnswers, ThingsInAnOrder) {
+  auto things = spotted();
+  const std::vector<std::string> all{"p/ball", "p/box", "p/disc", "p/can"};
+  EXPECT_EQ(words_of({"ListFromLeft", all, 0, {}, {}}, things),
+            "From left to right: the ball, the disc, the can and the box.");
+  EXPECT_EQ(words_of({"ListFromBack", all, 0, {}, {}}, things),
+            "From back to front: the can, the ball, the box and the disc.");
+  EXPECT_EQ(words_of({"ListFromHighest", {"p/ball", "p/can"}, 0, {}, {}}, things),
+            "From high to low: the can and the ball.");
+  things[0].is_held = true;
+  EXPECT_EQ(words_of({"ListFromRight", {"p/ball", "p/box"}, 0, {}, {}}, things),
+            "From right to left: the box.");
+}
+
+TEST(TableAnswers, WhatIsNotWhereItWasAtFirst) {
+  auto things = spotted();
+  EXPECT_EQ(words_of({"Displaced", {}, 0, {}, {}}, things), "Everything is where it was at first.");
+  for (auto& x : things)
+    x.waypoint_before = "place-9";
+  // It was moved, and moved back.
+  things[0].waypoint_at_first = things[0].waypoint;
+  things[1].waypoint_at_first = "place-9";
+  things[2].waypoint_at_first = things[2].waypoint;
+  things[3].waypoint_at_first = things[3].waypoint;
+  EXPECT_EQ(words_of({"Displaced", {}, 0, {}, {}}, things),
+            "The box is not where it was at first.");
+}
+
+TEST(TableAnswers, WhetherThingsTouch) {
+  auto things = spotted();
+  EXPECT_EQ(words_of({"Touching", {"p/ball", "p/box"}, 0, {}, {}}, things).substr(0, 16),
+            "No: there are ab");
+  things[1].x = things[0].x + (things[0].width() + things[1].width()) / 2;
+  things[1].y = things[0].y;
+  EXPECT_EQ(words_of({"Touching", {"p/ball", "p/box"}, 0, {}, {}}, things),
+            "Yes, or nearly: I see no gap between them.");
+  things[0].on = things[3].object;
+  EXPECT_EQ(words_of({"Touching", {"p/ball", "p/can"}, 0, {}, {}}, things),
+            "Yes: the ball stands on the other.");
+  EXPECT_EQ(goal_of(DirectiveStep{"Touching", {"p/ball"}, 0, {}, {}}, things).wish,
+            TableWish::refusal);
+}
+
 TEST(TableAnswers, WhatWasMovedAndHowFar) {
   auto things = spotted();
   EXPECT_EQ(words_of({"HaveMoved", {"p/ball"}, 0, {}, {}}, things),
