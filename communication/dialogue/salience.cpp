@@ -237,7 +237,12 @@ std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
   if (move.mention) {
     DialogueMove named;
     named.content = *move.mention;
-    std::ranges::move(referents_of(named, {}, scene), std::back_inserter(result));
+    // What may be one of several is not what "it" is next.
+    auto mentioned = referents_of(named, {}, scene);
+    std::erase_if(mentioned, [](const DiscourseReferent& x) {
+      return x.proxies.empty() || (!x.is_plural && x.proxies.size() > 1);
+    });
+    std::ranges::move(mentioned, std::back_inserter(result));
   }
   return result;
 }

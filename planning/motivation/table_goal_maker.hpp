@@ -104,8 +104,12 @@ private:
   struct EdgeSpot {
     TableSpot spot;
     bool is_at_edge = true;
+    /// Of what is put there, metres.
+    double radius = 0;
   };
-  std::optional<EdgeSpot> spot_at_edge(const TableThing& x, std::string_view edge) const;
+  std::optional<EdgeSpot> spot_at_edge(const TableThing& x, std::string_view edge,
+                                       std::span<const EdgeSpot> taken) const;
+  std::vector<EdgeSpot> spots_at_edge(std::string_view edge) const;
   std::optional<TableSpot> spot_as_near_to(const TableThing& x, std::string_view part) const;
   std::string corner_for_all() const;
   std::optional<std::string> put_in_opposite_corner(std::string& where);

@@ -180,10 +180,12 @@ std::optional<TableSpot> TableGoalMaker::spot_as_near_to(const TableThing& x,
 }
 
 /// Where the arm says that it can put the thing: nearest to the edge, and of such places the
-/// nearest to where it is. Nothing if it says so of none, if nobody says where it can, or for
-/// another part. \param edge such as "back-edge"
-std::optional<TableGoalMaker::EdgeSpot> TableGoalMaker::spot_at_edge(const TableThing& x,
-                                                                     std::string_view edge) const {
+/// nearest to where it is. Nothing if it says so of none, or nobody says where it can.
+/// \param edge such as "back-edge"; nothing for other parts
+/// \param taken where others are put
+std::optional<TableGoalMaker::EdgeSpot>
+TableGoalMaker::spot_at_edge(const TableThing& x, std::string_view edge,
+                             std::span<const EdgeSpot> taken) const {
   constexpr double step = 0.03;
   constexpr double most_gap = 0.21;
   constexpr double least_room = 0.01;
@@ -211,7 +213,11 @@ std::optional<TableGoalMaker::EdgeSpot> TableGoalMaker::spot_at_edge(const Table
     for (const double y : along) {
       const double across = sign * (outermost - gap);
       const TablePoint at = is_side ? TablePoint{across, y} : TablePoint{y, across};
-      if (room_.effort(x, at) && room_.room_around(at, x, {&x}) >= least_room)
+      const bool is_free = std::ranges::none_of(taken, [&](const EdgeSpot& other) {
+        return std::hypot(at.x - other.spot.x, at.y - other.spot.y) <
+               x.radius + other.radius + finger_gap;
+      });
+      if (is_free && room_.effort(x, at) && room_.room_around(at, x, {&x}) >= least_room)
         candidates.push_back({at, gap});
     }
   }
@@ -231,9 +237,20 @@ std::optional<TableGoalMaker::EdgeSpot> TableGoalMaker::spot_at_edge(const Table
              landings.lands(x, {y.at.x, y.at.y});
     });
     if (found != candidates.end())
-      return EdgeSpot{spot_for(x, found->at), found->gap < step + slack};
+      return EdgeSpot{spot_for(x, found->at), found->gap < step + slack, x.radius};
   }
   return std::nullopt;
+}
+
+/// For each of the things; none if there is not one for all.
+std::vector<TableGoalMaker::EdgeSpot> TableGoalMaker::spots_at_edge(std::string_view edge) const {
+  std::vector<EdgeSpot> result;
+  for (const auto* x : things_)
+    if (auto spot = spot_at_edge(*x, edge, result))
+      result.push_back(std::move(*spot));
+    else
+      return {};
+  return result;
 }
 
 /// Several things go into one corner: the one nearest to them that is reached, if any is.

@@ -252,13 +252,15 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
       std::ranges::all_of(things_, [&](const auto* x) { return is_in_quarter(*x, quarter); }))
     return "The corner is out of reach with " + listed(things_) + ", which" + are(things_) + ' ' +
            std::string{words_for(part_words, quarter)} + " already.";
-  if (const auto edge = things_.size() == 1 ? spot_at_edge(*things_.front(), part) : std::nullopt) {
+  if (const auto spots = spots_at_edge(part); !spots.empty()) {
     constexpr std::string_view at = "at ";
-    where += edge->is_at_edge
-               ? ' ' + std::string{wanted}
-               : " as near to " + std::string{wanted.substr(at.size())} + " as I reach";
-    facts_.push_back(at_waypoint(*things_.front(), edge->spot.name));
-    spots_.push_back(edge->spot);
+    const bool are_there = std::ranges::all_of(spots, &EdgeSpot::is_at_edge);
+    where += are_there ? ' ' + std::string{wanted}
+                       : " as near to " + std::string{wanted.substr(at.size())} + " as I reach";
+    for (std::size_t i = 0; i < things_.size(); ++i) {
+      facts_.push_back(at_waypoint(*things_[i], spots[i].spot.name));
+      spots_.push_back(spots[i].spot);
+    }
     return std::nullopt;
   }
   const bool may_be_beyond = !is_in_corner || part.ends_with("-edge-middle");
