@@ -465,14 +465,13 @@ Response Responder::choice(const Nominal& subject, const Nominal& alternatives) 
   }
   if (so.empty() && !is_clear)
     return answer(i_do_not_know());
-  // "Is it to the left or to the right of the ball?": where it is instead.
-  const auto& first =
-    alternatives.sort == "conjunction" ? need(alternatives, "First") : alternatives;
-  const auto place = first.sort == "region" ? place_of(id) : std::nullopt;
-  if (so.empty() && place)
-    return answer(ascribe(pronoun("it"), *place), marker("no"));
-  if (so.empty())
-    return answer(denied(id, need(alternatives, "First")), marker("no"));
+  if (so.empty()) {
+    const auto& first = need(alternatives, "First");
+    // "Is it to the left or to the right of the ball?": where it is instead.
+    const auto place = first.sort == "region" ? place_of(id) : std::nullopt;
+    return place ? answer(ascribe(pronoun("it"), *place), marker("no"))
+                 : answer(denied(id, first), marker("no"));
+  }
   Response result{RhetoricalRelation::answer, {}, {}, {}};
   for (const auto* one : so) {
     auto sentence = ascribe(pronoun("it"), part_of(form_, one->name));

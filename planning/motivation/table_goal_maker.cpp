@@ -141,13 +141,17 @@ TableGoal TableGoalMaker::handle() {
   return refusal("I do not know how to do that.");
 }
 
-const TableThing* TableGoalMaker::thing(const std::string& proxy) const {
-  auto found = std::ranges::find(table_, proxy, &TableThing::proxy);
-  if (found == table_.end())
-    found = std::ranges::find_if(table_, [&](const TableThing& x) {
+const TableThing* find_thing(std::span<const TableThing> table, const std::string& proxy) {
+  auto found = std::ranges::find(table, proxy, &TableThing::proxy);
+  if (found == table.end())
+    found = std::ranges::find_if(table, [&](const TableThing& x) {
       return std::ranges::find(x.former_proxies, proxy) != x.former_proxies.end();
     });
-  return found == table_.end() ? nullptr : &*found;
+  return found == table.end() ? nullptr : &*found;
+}
+
+const TableThing* TableGoalMaker::thing(const std::string& proxy) const {
+  return find_thing(table_, proxy);
 }
 
 /// @param result a sentence without its full stop

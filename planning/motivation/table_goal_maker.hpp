@@ -130,6 +130,9 @@ private:
 
 TableGoal refusal(std::string words);
 
+/// The thing that requests refer to by a proxy; null if there is none.
+const TableThing* find_thing(std::span<const TableThing> table, const std::string& proxy);
+
 /// "The ball, the box and the disc".
 std::string listed(const std::vector<const TableThing*>& things);
 std::string are(const std::vector<const TableThing*>& things);

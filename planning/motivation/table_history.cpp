@@ -1,5 +1,7 @@
 #include "castor/planning/motivation/table_history.hpp"
 
+#include "castor/planning/motivation/table_goal_maker.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -50,7 +52,9 @@ public:
                 const TableHistory& history)
     : moves_(history.moves), remembered_(history.remembered) {
     for (const auto& x : table)
-      if (step.things.empty() || is_one_of(x, step.things))
+      if (step.things.empty() || std::ranges::any_of(step.things, [&](const auto& proxy) {
+            return find_thing(table, proxy) == &x;
+          }))
         things_.push_back(&x);
     if (step.things.empty())
       return;
@@ -79,13 +83,6 @@ public:
   }
 
 private:
-  static bool is_one_of(const TableThing& x, const Words& proxies) {
-    return std::ranges::any_of(proxies, [&](const auto& proxy) {
-      return proxy == x.proxy ||
-             std::ranges::find(x.former_proxies, proxy) != x.former_proxies.end();
-    });
-  }
-
   std::string last_in_order() const {
     const std::span all{remembered_};
     const auto said = all.last(std::min(all.size(), most_said));
