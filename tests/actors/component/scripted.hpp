@@ -273,7 +273,7 @@ std::string subarchitecture(const std::string& name);
 SystemOptions without_restarts();
 
 /// Runs the system until it ends itself, and stops it; the status it ended with, or -1 if it did
-/// not end within 30 s (120 s under ThreadSanitizer).
+/// not end within two minutes.
 int run(System& system);
 
 } // namespace castor::test
