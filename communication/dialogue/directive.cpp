@@ -6,6 +6,7 @@
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/stacks.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/numerals.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
@@ -432,7 +433,8 @@ private:
     if (two.size() != 2)
       return;
     step.things = {two.back()};
-    step.places.push_back({"near", {two.front()}, centimetres_in(need(x, "Gap").proposition)});
+    step.places.push_back(
+      {"near", {two.front()}, metres_of_centimetres(need(x, "Gap").proposition)});
   }
 
   void read_arrangement(const Nominal& x, const Meant& meant, const Nominal& destination,

@@ -2,9 +2,9 @@
 
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/numerals.hpp"
 
 #include <array>
-#include <charconv>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -106,7 +106,7 @@ std::string relation(const std::string& word, const Vocabulary& vocabulary) {
 
 /// "Ten centimetres to the left"; 0 if nothing is said.
 double metres_of(const Nominal& region) {
-  return centimetres_in(feature(region, "Centimetres"));
+  return metres_of_centimetres(feature(region, "Centimetres"));
 }
 
 /// "Front" and "left" without landmarks are a corner.
@@ -151,12 +151,6 @@ PlacePhrase side_of(const Nominal& owner, const std::string& side) {
 }
 
 } // namespace
-
-double centimetres_in(std::string_view text) {
-  int number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number / 100.0;
-}
 
 PlacePhrase part_named(const LogicalForm& form, const Nominal& x, const Vocabulary& vocabulary) {
   if (vocabulary.surroundings(x) != nullptr)

@@ -34,7 +34,4 @@ PlacePhrase part_named(const LogicalForm& form, const Nominal& part, const Vocab
 /// The part where something goes that is to be away from one.
 std::string part_away_from(std::string_view part);
 
-/// A number of centimetres as metres; 0 for what is no number.
-double centimetres_in(std::string_view text);
-
 } // namespace castor::communication

@@ -254,6 +254,8 @@ private:
   std::size_t number_of_selected(const Nominal& phrase) const;
   std::optional<std::string> distinguished_by_size(const Nominal& phrase);
   Truth compares(const std::string& id, const Nominal& comparison);
+  Truth compares_with_length(const std::string& id, const Nominal& comparison,
+                             const Nominal& length);
   Truth compares_distances(const std::string& id, const Nominal& comparison, const Nominal& other);
   Truth shares(const std::string& a, const std::string& b, const std::string& quality);
   /// Whether something is to be done, and not only to be told.

@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/scoped.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/numerals.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,9 @@ constexpr double clear_ratio = 1.05;
 /// Who calls two things as large allows for more.
 constexpr double same_ratio = 1.1;
 
+/// How exactly a thing is measured by who says "5 cm wide"; metres.
+constexpr double exactness = 0.005;
+
 /// Distances and coordinates that differ by less are about the same; metres.
 constexpr double clear_distance = 0.02;
 
@@ -42,6 +46,8 @@ constexpr std::array comparatives{
   Comparative{"rightmost", "right", true},     Comparative{"frontmost", "back", false},
   Comparative{"backmost", "back", true},       Comparative{"nearest", "distance", false},
   Comparative{"farthest", "distance", true},   Comparative{"nearer", "distance", false},
+  Comparative{"wider", "width", true},         Comparative{"narrower", "width", false},
+  Comparative{"widest", "width", true},        Comparative{"narrowest", "width", false},
   Comparative{"farther", "distance", true},    Comparative{"further-left", "right", false},
   Comparative{"further-right", "right", true}, Comparative{"further-back", "back", true},
   Comparative{"further-front", "back", false}, Comparative{"centremost", "centre", false}};
@@ -52,7 +58,7 @@ const Comparative* comparative(const std::string& word) {
 }
 
 bool is_length(const std::string& dimension) {
-  return dimension == "size" || dimension == "height";
+  return dimension == "size" || dimension == "height" || dimension == "width";
 }
 
 /// Whether `a` is clearly more than `b`.
@@ -68,6 +74,8 @@ std::optional<double> Evaluation::measure(const std::string& id, const std::stri
     return scene_.extent(id);
   if (dimension == "height")
     return scene_.height(id);
+  if (dimension == "width")
+    return scene_.width(id);
   auto at = scene_.place_in_view(id);
   if (!at)
     return std::nullopt;
@@ -223,7 +231,39 @@ Truth Evaluation::compares_distances(const std::string& id, const Nominal& compa
   return truth_of((*a < *b) == is_nearer);
 }
 
+/// "Taller than 7 cm", "at least 5 cm wide", "less than 10 cm from the cube".
+Truth Evaluation::compares_with_length(const std::string& id, const Nominal& comparison,
+                                       const Nominal& length) {
+  const auto& word = comparison.proposition;
+  const auto* dimension = dependent(form_, comparison, "Dimension");
+  const auto* anchor = dependent(form_, comparison, "Anchor");
+  const auto* how = comparative(word);
+  const bool is_at_least = word == "at-least" || word == "as-long";
+  const bool is_at_most = word == "at-most" || word == "as-long";
+  if (how == nullptr && !is_at_least && !is_at_most)
+    not_understood(word);
+  const auto measured = measure(id,
+                                dimension != nullptr ? dimension->proposition
+                                : anchor != nullptr  ? "distance"
+                                                     : how->dimension,
+                                anchor);
+  if (anchor != nullptr) {
+    const auto others = meant(*anchor);
+    if (std::ranges::find(others, id) != others.end())
+      return Truth::no;
+  }
+  if (!measured)
+    return Truth::unknown;
+  const auto said = metres_of_centimetres(length.proposition);
+  if (how != nullptr)
+    return truth_of(how->more ? *measured > said : *measured < said);
+  return truth_of((!is_at_least || *measured >= said - exactness) &&
+                  (!is_at_most || *measured <= said + exactness));
+}
+
 Truth Evaluation::compares(const std::string& id, const Nominal& comparison) {
+  if (const auto* length = dependent(form_, comparison, "Length"))
+    return compares_with_length(id, comparison, *length);
   if (const auto* other = dependent(form_, comparison, "OtherAnchor"))
     return compares_distances(id, comparison, *other);
   if (dependent(form_, comparison, "Than") == nullptr && related_.empty())

@@ -12,6 +12,7 @@
 #include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <set>
 #include <string_view>
@@ -269,9 +270,35 @@ private:
            match.likeness < (is_question && !asks_ ? least_likeness_of_question : least_likeness);
   }
 
+  /// Says by what things are compared, or measured, or that they were moved, and the meaning does
+  /// not.
+  bool says_more_than(const WordList& meaning) const {
+    using Matter = std::vector<std::string_view>;
+    static const std::array<Matter, 5> matters{
+      Matter{"height", "tall", "taller", "tallest", "heights"},
+      Matter{"width", "wide", "wider", "widest", "thickness"},
+      Matter{"colour", "color", "colours", "colors", "coloured"},
+      Matter{"shape", "shapes", "shaped"}, Matter{"cm", "degrees"}};
+    static const Matter moving{"moved", "touched", "placed", "picked", "handled", "shifted"};
+    const auto says = [](const WordList& words, const Matter& matter) {
+      return std::ranges::any_of(
+        words, [&](const auto& x) { return std::ranges::find(matter, x) != matter.end(); });
+    };
+    const auto is_only_said = [&](const Matter& matter) {
+      return says(words_, matter) && !says(meaning, matter);
+    };
+    const bool is_about_moves = is_only_said(moving) && may_begin_question(meaning.front()) &&
+                                std::ranges::none_of(meaning, [](const auto& x) {
+                                  return is_among(x, {"move", "do", "did", "was", "were"});
+                                });
+    return is_about_moves || std::ranges::any_of(matters, is_only_said);
+  }
+
   /// What makes a request of it, or another matter.
   bool cannot_mean(const Examples::Match& match) {
     const auto& meaning = match.meaning;
+    if (says_more_than(meaning))
+      return true;
     if (may_begin_question(meaning.front()))
       return false;
     if (written(meaning) == remark)

@@ -269,6 +269,11 @@ std::optional<double> SceneKnowledge::extent(const std::string& union_id) const 
   return numbers ? std::optional{std::ranges::max(*numbers)} : std::nullopt;
 }
 
+std::optional<double> SceneKnowledge::width(const std::string& union_id) const {
+  auto numbers = numbers_of(find(union_id), FeatureKind::extent);
+  return numbers ? std::optional{std::max((*numbers)[0], (*numbers)[1])} : std::nullopt;
+}
+
 std::optional<double> SceneKnowledge::height(const std::string& union_id) const {
   auto numbers = numbers_of(find(union_id), FeatureKind::extent);
   return numbers ? std::optional{numbers->back()} : std::nullopt;

@@ -150,6 +150,8 @@ public:
 
   /// The largest of a thing's dimensions, metres.
   std::optional<double> extent(const std::string& union_id) const;
+  /// The larger one of its horizontal dimensions, metres.
+  std::optional<double> width(const std::string& union_id) const;
   /// Upwards; metres.
   std::optional<double> height(const std::string& union_id) const;
 

@@ -1,5 +1,7 @@
 #include "castor/communication/parsing/chart.hpp"
 
+#include "castor/communication/parsing/numerals.hpp"
+
 #include <algorithm>
 
 namespace castor::communication {
@@ -39,6 +41,19 @@ bool is_normal(const Edge& left, const Edge& right, Combinator how) {
   if (form == NormalForm::raised)
     return is_composition(how);
   return form != (is_forward(how) ? NormalForm::forward_composed : NormalForm::backward_composed);
+}
+
+/// What is said in quotes; nothing for another word.
+std::optional<std::string> quotation(const std::string& word) {
+  return is_quoted(word) ? std::optional{word.substr(1, word.size() - 2)} : std::nullopt;
+}
+
+/// "less-0.0" with 5 is "less-5"; a predicate without a numeral is what is said.
+std::string with_literal(const std::string& predicate, const std::string& said) {
+  const auto at = predicate.find(any_numeral);
+  return at == std::string::npos
+           ? said
+           : predicate.substr(0, at) + said + predicate.substr(at + any_numeral.size());
 }
 
 } // namespace
@@ -101,7 +116,7 @@ std::size_t Chart::size() const {
 
 std::string Chart::text(Symbol symbol) const {
   const auto& symbols = grammar_.lexicon.symbols();
-  return symbol < symbols.size() ? symbols.text(symbol) : quotations_[symbol - symbols.size()];
+  return symbol < symbols.size() ? symbols.text(symbol) : literals_[symbol - symbols.size()];
 }
 
 void Chart::fill(std::size_t begin, std::size_t end) {
@@ -120,10 +135,17 @@ void Chart::look_up_phrases() {
   auto& found = phrases_.emplace_back();
   const auto longest = std::min(lexicon.longest_phrase_ending_in(words_.back()), words_.size());
   std::string phrase;
+  std::string phrase_of_any;
   for (std::size_t length = 1; length <= longest; ++length) {
     const auto begin = words_.size() - length;
     phrase = length == 1 ? words_.back() : words_[begin] + ' ' + phrase;
-    found.push_back(lexicon.find(phrase));
+    const auto& word = words_[begin];
+    const auto of_any = is_numeral(word) ? std::string(any_numeral) : word;
+    phrase_of_any = length == 1 ? of_any : of_any + ' ' + phrase_of_any;
+    auto& of_phrase = found.emplace_back();
+    of_phrase.as_said = lexicon.find(phrase);
+    if (phrase_of_any != phrase)
+      of_phrase.with_any_numeral = lexicon.find(phrase_of_any);
     if (const auto* weight = lexicon.filler(phrase))
       for (auto i = begin; i < words_.size(); ++i)
         if (fillers_[i].length == 0 || fillers_[i].length > length)
@@ -158,17 +180,22 @@ void Chart::add_phrases(std::size_t begin, std::size_t end, Cell& found) {
       const auto length = last - first;
       if (length > phrases.size())
         continue;
-      for (const auto entry : phrases[length - 1]) {
-        auto meaning = meaning_of(entry, first, last);
+      const auto add = [&](std::uint32_t entry, const std::optional<std::string>& literal) {
+        auto meaning = meaning_of(entry, first, last, literal);
         meaning.weight += before + after;
         insert(grammar_.lexicon.entry(entry).category, Combinator::lexical, std::move(meaning),
                found);
-      }
+      };
+      for (const auto entry : phrases[length - 1].as_said)
+        add(entry, quotation(words_[first]));
+      for (const auto entry : phrases[length - 1].with_any_numeral)
+        add(entry, numeral_in(first, last));
     }
   }
 }
 
-Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin, std::size_t end) {
+Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin, std::size_t end,
+                          const std::optional<std::string>& said) {
   const auto& entry = grammar_.lexicon.entry(number);
   const auto nominal = [&](NominalId variable) {
     return nominal_of_word(begin, variable, variable == 0 && entry.anchored);
@@ -176,14 +203,13 @@ Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin, std::size_t e
   Meaning meaning;
   meaning.weight = entry.weight;
   meaning.predications = entry.predications;
-  const bool is_quotation = entry.phrase == quoted_word;
-  const auto placeholder = is_quotation ? grammar_.lexicon.symbols().find(entry.predicate) : 0;
+  const auto placeholder = said ? grammar_.lexicon.symbols().find(entry.predicate) : 0;
   for (auto& predication : meaning.predications) {
     predication.nominal = nominal(predication.nominal);
     if (predication.kind == Predication::Kind::relation)
       predication.dependent = nominal(predication.dependent);
-    if (is_quotation && predication.value == placeholder)
-      predication.value = quoted(words_[begin]);
+    if (said && predication.value == placeholder)
+      predication.value = literal(with_literal(entry.predicate, *said));
   }
   std::sort(meaning.predications.begin(), meaning.predications.end());
   for (const auto variable : entry.indices)
@@ -193,13 +219,16 @@ Meaning Chart::meaning_of(std::uint32_t number, std::size_t begin, std::size_t e
   return meaning;
 }
 
-Symbol Chart::quoted(const std::string& word) {
-  const auto content = word.substr(1, word.size() - 2);
-  const auto known = std::find(quotations_.begin(), quotations_.end(), content);
-  const auto index = known - quotations_.begin();
-  if (known == quotations_.end())
-    quotations_.push_back(content);
+Symbol Chart::literal(std::string text) {
+  const auto known = std::ranges::find(literals_, text);
+  const auto index = known - literals_.begin();
+  if (known == literals_.end())
+    literals_.push_back(std::move(text));
   return grammar_.lexicon.symbols().size() + static_cast<Symbol>(index);
+}
+
+std::string Chart::numeral_in(std::size_t begin, std::size_t end) const {
+  return *std::ranges::find_if(std::span{words_}.subspan(begin, end - begin), is_numeral);
 }
 
 void Chart::add_combinations(const Cell& left, const Cell& right, Cell& found) {

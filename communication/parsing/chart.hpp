@@ -74,7 +74,7 @@ public:
   /// Number of edges.
   std::size_t size() const;
 
-  /// Text of a symbol of the lexicon or of a quoted word.
+  /// Text of a symbol of the lexicon, of a quoted word or of a numeral.
   std::string text(Symbol symbol) const;
 
 private:
@@ -92,8 +92,12 @@ private:
   bool is_too_light(const Edge& edge, double weight) const;
   void insert(CategoryId category, Combinator combinator, Meaning meaning, Cell& found);
   void prune(Cell& found) const;
-  Meaning meaning_of(std::uint32_t entry, std::size_t begin, std::size_t end);
-  Symbol quoted(const std::string& word);
+  /// \param said a quotation or a numeral for that of the entry
+  Meaning meaning_of(std::uint32_t entry, std::size_t begin, std::size_t end,
+                     const std::optional<std::string>& said);
+  /// The first one among the words [begin, end).
+  std::string numeral_in(std::size_t begin, std::size_t end) const;
+  Symbol literal(std::string text);
 
   CombinatoryGrammar& grammar_;
   ChartLimits limits_;
@@ -104,15 +108,21 @@ private:
     double weight = 0;
   };
 
+  /// Entries of a phrase.
+  struct Found {
+    std::span<const std::uint32_t> as_said;
+    std::span<const std::uint32_t> with_any_numeral;
+  };
+
   std::vector<std::string> words_;
   /// By last word, then by length less 1.
-  std::vector<std::vector<std::span<const std::uint32_t>>> phrases_;
+  std::vector<std::vector<Found>> phrases_;
   /// By position; the shortest phrase of each.
   std::vector<Filler> fillers_;
   /// By end, then by begin.
   std::vector<std::vector<Cell>> cells_;
-  /// Quoted words; their symbols follow those of the lexicon.
-  std::vector<std::string> quotations_;
+  /// Quoted words and numerals; their symbols follow those of the lexicon.
+  std::vector<std::string> literals_;
 };
 
 } // namespace castor::communication

@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/lexicon.hpp"
 
 #include "castor/base/suggestion.hpp"
+#include "castor/communication/parsing/numerals.hpp"
 #include "castor/communication/parsing/tokens.hpp"
 
 #include <algorithm>
@@ -57,8 +58,12 @@ void Lexicon::add_words_of(const std::string& phrase) {
 }
 
 std::size_t Lexicon::longest_phrase_ending_in(const std::string& word) const {
-  const auto known = words_.find(word);
-  return known == words_.end() ? 1 : known->second.longest_phrase;
+  const auto longest = [this](const std::string& last) {
+    const auto known = words_.find(last);
+    return known == words_.end() ? 1 : known->second.longest_phrase;
+  };
+  return is_numeral(word) ? std::max(longest(word), longest(std::string(any_numeral)))
+                          : longest(word);
 }
 
 void Lexicon::add_to(WordClass word_class, const std::string& phrase) {
@@ -114,7 +119,9 @@ std::string Lexicon::name_of(const Category& category) const {
 }
 
 bool Lexicon::knows(const std::string& word) const {
-  return words_.contains(word) || (is_quoted(word) && phrases_.contains(std::string(quoted_word)));
+  return words_.contains(word) ||
+         (is_quoted(word) && phrases_.contains(std::string(quoted_word))) ||
+         (is_numeral(word) && words_.contains(std::string(any_numeral)));
 }
 
 std::vector<std::string> Lexicon::suggestions(std::string_view word, std::size_t most) const {

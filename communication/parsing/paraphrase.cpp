@@ -1,5 +1,6 @@
 #include "castor/communication/parsing/paraphrase.hpp"
 
+#include "castor/communication/parsing/numerals.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
@@ -42,6 +43,10 @@ bool begins_part(const std::vector<std::string>& words, std::size_t at, bool is_
 bool ends_part(const std::vector<std::string>& words, std::size_t at) {
   return at == words.size() ||
          is_among(words[at], {",", "please", "thanks", "ta", "mate", "cheers"});
+}
+
+bool is_said_by(std::string_view wanted, std::string_view said) {
+  return wanted == said || (wanted == any_numeral && is_numeral(said));
 }
 
 } // namespace
@@ -150,7 +155,7 @@ std::optional<std::size_t> Paraphrase::match_word(const Words& said, std::size_t
       end <= said.size() &&
       std::ranges::equal(alternative.begin(), alternative.end(),
                          std::next(said.begin(), static_cast<std::ptrdiff_t>(at)),
-                         std::next(said.begin(), static_cast<std::ptrdiff_t>(end)));
+                         std::next(said.begin(), static_cast<std::ptrdiff_t>(end)), is_said_by);
     if (!is_said)
       continue;
     if (!wanted.name.empty())

@@ -20,6 +20,7 @@ namespace castor::communication {
 ///     nudge|shove      one of several
 ///     little|tiny?     may be missing, too
 ///     of_course        several words
+///     0.0              any number in digits
 ///     @side            one of a list that has this name, the same in the paraphrase
 ///     X Y Z            one to sixteen words without a pause, the same in the paraphrase
 ///     ,                a pause

@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/tokens.hpp"
 
 #include "castor/communication/parsing/feasibility.hpp"
+#include "castor/communication/parsing/numerals.hpp"
 #include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ constexpr std::array<std::array<std::string_view, 3>, 49> hasty{{{"isnt", "is", 
 
 /// "5cm", "10mm": where the unit begins; 0 if the word is no number with one.
 std::size_t begin_of_unit(std::string_view word) {
-  const auto unit = std::min(word.find_first_not_of("0123456789"), word.size());
+  const auto unit = std::min(word.find_first_not_of("0123456789."), word.size());
   constexpr std::array units{"cm", "mm", "m", "in", "inch", "inches", "centimetres", "centimeters"};
   return std::ranges::find(units, word.substr(unit)) == units.end() ? 0 : unit;
 }
@@ -104,6 +105,13 @@ void append_word(std::string word, std::vector<std::string>& words) {
   } else {
     words.push_back(std::move(word));
   }
+}
+
+/// In "5.5".
+bool is_decimal_point(std::string_view text, std::size_t i) {
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  return text[i] == '.' && i > 0 && is_digit(text[i - 1]) && i + 1 < text.size() &&
+         is_digit(text[i + 1]);
 }
 
 /// A comma, a dash or the like between words.
@@ -164,7 +172,7 @@ std::vector<std::string> words_of(std::string_view utterance) {
       }
     std::string word;
     while (i < utterance.size() &&
-           (is_letter(utterance[i]) ||
+           (is_letter(utterance[i]) || is_decimal_point(utterance, i) ||
             (utterance[i] == '\'' && i + 1 < utterance.size() && is_letter(utterance[i + 1]))))
       word += lower(utterance[i++]);
     if (!word.empty())
@@ -174,7 +182,7 @@ std::vector<std::string> words_of(std::string_view utterance) {
   }
   if (!words.empty() && words.back() == ",")
     words.pop_back();
-  return words;
+  return with_numerals(std::move(words));
 }
 
 std::vector<std::string> sentences_of(std::string_view text) {

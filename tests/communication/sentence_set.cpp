@@ -94,7 +94,7 @@ void lay_out(const std::vector<ThingInSet>& things, TableScene& table) {
     table.put(x.id,
               {feature(FeatureKind::colour, x.colour), feature(FeatureKind::shape, x.shape),
                feature(FeatureKind::size, x.is_large() ? "large" : "small"),
-               binding::extent_of(x.side, x.side, x.side)},
+               binding::extent_of(x.side, x.side, x.height > 0 ? x.height : x.side)},
               x.x, x.y);
   for (auto& a : things)
     for (auto& b : things) {

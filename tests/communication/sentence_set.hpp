@@ -58,6 +58,8 @@ struct ThingInSet {
   double x = 0;
   double y = 0;
   double side = 0;
+  /// Metres; as long as its sides if 0.
+  double height = 0;
 
   bool is_large() const;
 };
