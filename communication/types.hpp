@@ -154,8 +154,8 @@ struct Sequel {
   std::string words;
   /// Whether it asks a question, which has an answer whatever became of what it waits for.
   bool is_question = false;
-  /// The words are said only if the answer to the question is yes, "if the ball is red, take it", or
-  /// if the request is done.
+  /// The words are said only if the answer to the question is yes, "if the ball is red, take it",
+  /// or if the request is done.
   bool is_conditional = false;
   /// What is said if that answer is no, or the request cannot be done; empty for nothing.
   std::string otherwise = {};
@@ -295,6 +295,8 @@ struct DiscourseReferent {
   bool is_plural = false;
   /// Proxies of the perceived things that it may be; one if it is certain.
   std::vector<std::string> proxies;
+  /// Whether a question asked for it.
+  bool is_answer = false;
 
   friend bool operator==(const DiscourseReferent&, const DiscourseReferent&) = default;
 };
@@ -457,7 +459,7 @@ CASTOR_REFLECT(DialogueMove, type, content, alternatives, corrections, turn, pro
                action, partial, mention, sequel)
 CASTOR_REFLECT(Pointing, x, y, time, held)
 CASTOR_REFLECT(PointingUse, pointing, version, taken_up)
-CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies)
+CASTOR_REFLECT(DiscourseReferent, nominal, proposition, is_plural, proxies, is_answer)
 CASTOR_REFLECT(PronounReferents, nominal, proxies)
 CASTOR_REFLECT(DirectivePlace, relation, landmarks, distance)
 CASTOR_REFLECT(DirectiveStep, action, things, number, places, by)

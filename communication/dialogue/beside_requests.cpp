@@ -197,6 +197,18 @@ bool is_caution(const WordList& words) {
          std::ranges::none_of(words, decides);
 }
 
+/// "That looks a little crowded", before "so move the cube": says only why.
+bool says_why(const WordList& words, const Lexicon& lexicon) {
+  const bool is_statement = is_among(words.front(), {"i", "that", "this", "it", "you", "we",
+                                                     "there", "they", "he", "she", "my", "our"});
+  return is_statement && std::ranges::none_of(words, decides) &&
+         std::ranges::none_of(words, [&](const auto& x) {
+           return is_among(x, {"want", "need", "like", "prefer", "should", "must", "wish",
+                               "belongs", "belong", "goes", "go", "not", "n't", "meant", "mean"}) ||
+                  is_handling_verb(x, lexicon);
+         });
+}
+
 bool begins_with_if(const WordList& words) {
   return words.front() == "if" || (words.size() > 1 && words[1] == "if");
 }
@@ -211,12 +223,14 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
   // "And if that does not work, on the disc": what follows is part of it.
   bool is_alternative = false;
   bool begins_with_remark = false;
-  for (const auto& x : pieces) {
-    const bool is_aside_piece = is_remark(x, parser.lexicon()) || is_about_people(x, parser) ||
-                                says_purpose(x) || is_caution(x) ||
-                                is_comparison(x, parser.lexicon()) ||
-                                (request.empty() && is_purpose_before(x, parser)) ||
-                                LikelyMeaning{parser, x}.is_remark(false);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto& x = pieces[i];
+    const bool is_before_so = i + 1 < pieces.size() && pieces[i + 1].front() == "so";
+    const bool is_aside_piece =
+      (is_before_so && says_why(x, parser.lexicon())) || is_remark(x, parser.lexicon()) ||
+      is_about_people(x, parser) || says_purpose(x) || is_caution(x) ||
+      is_comparison(x, parser.lexicon()) || (request.empty() && is_purpose_before(x, parser)) ||
+      LikelyMeaning{parser, x}.is_remark(false);
     if (request.empty() && left_out.empty())
       begins_with_remark = is_aside_piece;
     const bool is_left_out = is_alternative || is_aside_piece;
@@ -304,9 +318,16 @@ std::optional<PackedLogicalForm> parsed_prohibition_alone(Parser& parser, const 
     if (!form || !is_prohibition(*form, parser.lexicon()))
       continue;
     WordList left_out;
-    for (const auto& other : pieces)
-      if (&other != &piece)
-        left_out.insert(left_out.end(), other.begin(), other.end());
+    for (const auto& other : pieces) {
+      if (&other == &piece)
+        continue;
+      // "Set the cubes in a row, and leave the balls alone" asks for more than that.
+      const bool names_things = std::ranges::any_of(
+        other, [&](const auto& x) { return name_of_things(parser, {x}).has_value(); });
+      if (names_things && begins_with_handling(other, parser.lexicon()))
+        return std::nullopt;
+      left_out.insert(left_out.end(), other.begin(), other.end());
+    }
     form->corrections = {{text_of(left_out), {}}};
     return form;
   }

@@ -226,6 +226,19 @@ void choose_from_topic(LogicalForm& form) {
   find_nominal(form, asked->name)->relations.push_back({"PartOf", name});
 }
 
+/// "Of those, give me the ball": the ball of those.
+void choose_among(LogicalForm& form) {
+  auto* root = find_nominal(form, form.root);
+  const auto* topic = dependent(form, *root, "Among");
+  const auto* patient = dependent(form, *root, "Patient");
+  if (root->sort != "action" || topic == nullptr || patient == nullptr || is_pronoun(*patient) ||
+      patient->sort != "thing" || dependent(form, *patient, "PartOf") != nullptr)
+    return;
+  const auto name = topic->name;
+  erase_relation(*root, "Among");
+  find_nominal(form, patient->name)->relations.push_back({"PartOf", name});
+}
+
 /// "Which red ball is the big one?": the big one of the red balls.
 void restrict_to_asked(LogicalForm& form) {
   const auto* root = find_nominal(form, form.root);
@@ -436,6 +449,7 @@ LogicalForm reunited(LogicalForm form) {
   complete_by_preface(form);
   complete_by_topic(form);
   choose_from_topic(form);
+  choose_among(form);
   restrict_selection(form);
   restrict_to_asked(form);
   affirm_opposite(form);

@@ -104,6 +104,10 @@ private:
     // "Take it back and put it where it was" is done once.
     const bool is_said_again = !steps_.empty() && step == steps_.back() &&
                                step.action == action_for("put-back") && !step.things.empty();
+    // "Leave the balls alone and move the others. Now the balls as well."
+    if (feature(x, "Allows") == "true" && !step.things.empty() &&
+        vocabulary().meanings().actions.contains("allow"))
+      steps_.push_back({action_for("allow"), step.things, 0, {}, {}});
     if (!is_said_again)
       steps_.push_back(std::move(step));
     meant_.end_step(!steps_.back().things.empty());
@@ -126,7 +130,8 @@ private:
       step.action = action_for(x.proposition);
     if (is_same && dependent(form_, x, "Patient") == nullptr)
       throw Uninterpretable{Reason::word, x.proposition};
-    if (const auto* destination = destination_of(x))
+    const auto* destination = x.proposition == "sort" ? nullptr : destination_of(x);
+    if (destination != nullptr)
       read_destination(x, *destination, step);
     else
       read_without_destination(x, step);
@@ -498,11 +503,13 @@ private:
     step.by = by == nullptr ? "colour" : by->proposition;
     // "By size, biggest first."
     constexpr std::string_view down = "-down";
-    if (const auto order = by == nullptr ? std::string_view{} : feature(*by, "Order");
-        !order.empty() && is_measure(step.by)) {
+    if (by != nullptr && is_measure(step.by)) {
+      const auto* order = dependent(form_, *by, "Order");
+      const auto& first = order == nullptr ? *by : *order;
+      const bool is_down = first.proposition.ends_with("down");
       if (step.by.ends_with(down))
         step.by.resize(step.by.size() - down.size());
-      step.by += order == "down" ? down : "";
+      step.by += is_down != (feature(first, "End") == "right") ? down : "";
     }
     if (!is_measure(step.by) && !vocabulary().kind_of_quality(step.by))
       throw Uninterpretable{Reason::word, step.by};
@@ -516,6 +523,14 @@ private:
           throw;
       }
     step.things = meant_.proxies(meant.things);
+    const auto* destination = dependent(form_, x, "Destination");
+    if (destination == nullptr)
+      return;
+    for (const auto& place : places_named(form_, *destination, vocabulary())) {
+      if (place.landmark != nullptr)
+        throw Uninterpretable{Reason::word, destination->proposition};
+      step.places.push_back({place.relation, {}});
+    }
   }
 
   void read_swapping(const Nominal& x, DirectiveStep& step) {

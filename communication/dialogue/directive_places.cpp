@@ -74,6 +74,8 @@ const Words relations{{"on", "on"},
                       {"midway", "midway"},
                       {"equidistant", "equidistant"},
                       {"in-line", "in-line"},
+                      {"level", "level"},
+                      {"level-across", "level-across"},
                       {"other-side", "other-side"},
                       {"closer", "closer"},
                       {"farther", "farther"},
@@ -221,6 +223,7 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
     auto result = part_named(form, *anchor, vocabulary);
     if (result.landmark == nullptr)
       result.relation = part_by(destination.proposition, anchor->proposition);
+    result.distance = metres_of(destination);
     return {result};
   }
   if (const auto* everywhere = vocabulary.surroundings(*anchor)) {

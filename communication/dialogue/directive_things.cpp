@@ -69,6 +69,11 @@ void DirectiveThings::note_clause(const Nominal& clause) {
     auto meant = is_definite_phrase(*phrase)
                    ? MeantThings{evaluation_.meant(*phrase), 0}
                    : MeantThings{evaluation_.described(*phrase).best(), is_plural(*phrase) ? 0 : 1};
+    // "If anything is higher than 7 cm, take it": what is so.
+    if (!is_definite_phrase(*phrase) && dependent(form_, clause, "Cop-Restr") == phrase &&
+        !is_negated(clause))
+      std::erase_if(meant.things,
+                    [&](const auto& id) { return evaluation_.is_so_of(clause, id) == Truth::no; });
     mentioned_.insert(mentioned_.end(), meant.things.begin(), meant.things.end());
     for (const auto& x : meant.things)
       if (std::ranges::find(of_whole_clause_.things, x) == of_whole_clause_.things.end())

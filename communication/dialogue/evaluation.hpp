@@ -209,6 +209,8 @@ private:
   const Nominal* earlier_phrase(const Nominal& pronoun);
   Fitting handled_before(const Nominal& pronoun);
   const Nominal* phrase_in_predicate(const Nominal& pronoun);
+  const Nominal* patient_described_by(const Nominal& pronoun);
+  const Nominal* phrase_in_request(const Nominal& pronoun);
 
   // -- phrases
   const Things& candidates(const Nominal& phrase);

@@ -25,7 +25,7 @@ constexpr double clear_ratio = 1.05;
 constexpr double same_ratio = 1.1;
 
 /// How exactly a thing is measured by who says "5 cm wide"; metres.
-constexpr double exactness = 0.005;
+constexpr double exactness = 0.003;
 
 /// Distances and coordinates that differ by less are about the same; metres.
 constexpr double clear_distance = 0.02;

@@ -81,7 +81,7 @@ const Nominal* Evaluation::earlier_phrase(const Nominal& pronoun) {
     return nullptr;
   const auto* first = dependent(form_, *root, root->sort == "conjunction" ? "First" : "Preface");
   if (first == nullptr)
-    return phrase_in_predicate(pronoun);
+    return root->sort == "action" ? phrase_in_request(pronoun) : phrase_in_predicate(pronoun);
   for (const auto* mode : {"Cop-Restr", "Cop-Scope"}) {
     const auto* x = dependent(form_, *first, mode);
     if (x != nullptr && x->sort == "thing" && is_definite(*x) && !is_pronoun(*x) &&
@@ -89,6 +89,41 @@ const Nominal* Evaluation::earlier_phrase(const Nominal& pronoun) {
       return x;
   }
   return nullptr;
+}
+
+/// "Swap the cube with the thing that is nearest to it": the cube. Null if the pronoun describes no
+/// other thing.
+const Nominal* Evaluation::patient_described_by(const Nominal& pronoun) {
+  const auto* root = find_nominal(form_, form_.root);
+  const auto* patient = dependent(form_, *root, "Patient");
+  const auto* others = patient != nullptr && patient->sort == "conjunction" ? patient : nullptr;
+  if (others != nullptr)
+    patient = dependent(form_, *others, "First");
+  if (patient == nullptr || patient->sort != "thing" || is_pronoun(*patient) ||
+      !is_definite(*patient) || is_deictic(pronoun) || is_plural(*patient) != is_plural(pronoun))
+    return nullptr;
+  const auto* destination = dependent(form_, *root, "Destination");
+  const auto* other = others != nullptr        ? dependent(form_, *others, "Next")
+                      : destination == nullptr ? dependent(form_, *root, "Counterpart")
+                                               : dependent(form_, *destination, "Anchor");
+  if (other == nullptr || other->sort != "thing" || is_pronoun(*other))
+    return nullptr;
+  return find_nominal(part_of(form_, other->name), pronoun.name) == nullptr ? nullptr : patient;
+}
+
+/// "If the cube is larger than the ball, put the ball on it", "swap the cube with the thing that is
+/// nearest to it": the cube. Null if there is no such phrase.
+const Nominal* Evaluation::phrase_in_request(const Nominal& pronoun) {
+  if (const auto* patient = patient_described_by(pronoun))
+    return patient;
+  const auto* root = find_nominal(form_, form_.root);
+  const auto* condition = dependent(form_, *root, "Condition");
+  const auto* subject = condition == nullptr ? nullptr : dependent(form_, *condition, "Cop-Restr");
+  if (subject == nullptr || subject->sort != "thing" || is_pronoun(*subject) ||
+      !is_definite(*subject) || is_deictic(pronoun) || is_plural(*subject) != is_plural(pronoun) ||
+      find_nominal(part_of(form_, condition->name), pronoun.name) != nullptr)
+    return nullptr;
+  return subject;
 }
 
 /// "Put the cube on the box, and the ball beside them": the cube and the box. Nothing if no several

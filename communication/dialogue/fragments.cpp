@@ -17,6 +17,27 @@ namespace castor::communication {
 
 namespace {
 
+/// "Put the cube on the box. The other way round": the box on the cube.
+bool exchange(LogicalForm& request) {
+  auto& root = *find_nominal(request, request.root);
+  const auto* patient = dependent(request, root, "Patient");
+  const auto* destination = dependent(request, root, "Destination");
+  const auto* anchor =
+    destination == nullptr ? nullptr : dependent(request, *destination, "Anchor");
+  if (patient == nullptr || patient->sort != "thing" || anchor == nullptr ||
+      anchor->sort != "thing")
+    return false;
+  const auto moved = patient->name;
+  const auto landmark = anchor->name;
+  for (auto& relation : root.relations)
+    if (relation.mode == "Patient")
+      relation.dependent = landmark;
+  for (auto& relation : find_nominal(request, destination->name)->relations)
+    if (relation.mode == "Anchor")
+      relation.dependent = moved;
+  return true;
+}
+
 /// "The other way": where the request goes is its opposite then.
 bool turn(LogicalForm& request) {
   constexpr std::array<std::array<std::string_view, 2>, 2> opposites{
@@ -34,7 +55,7 @@ bool turn(LogicalForm& request) {
         where.features.push_back({"Corrects", "true"});
         return true;
       }
-  return false;
+  return exchange(request);
 }
 
 void set_feature(Nominal& x, std::string_view name, std::string_view value) {

@@ -119,6 +119,27 @@ bool is_place(const LogicalForm& fragment) {
   return root != nullptr && (root->sort == "region" || root->sort == "place");
 }
 
+/// "Leave the balls alone and put the others at the back. Now the balls as well": what goes on is
+/// not what was forbidden.
+LogicalForm without_prohibitions(LogicalForm form) {
+  bool is_changed = false;
+  const auto forbids = [](const Nominal* x) {
+    return x != nullptr && x->sort == "action" && (is_negated(*x) || x->proposition == "forbid");
+  };
+  for (const auto* root = find_nominal(form, form.root);
+       root != nullptr && root->sort == "conjunction"; root = find_nominal(form, form.root)) {
+    const auto* first = dependent(form, *root, "First");
+    const auto* next = dependent(form, *root, "Next");
+    if (first == nullptr || next == nullptr || forbids(first) == forbids(next))
+      break;
+    form = part_of(form, forbids(first) ? next->name : first->name);
+    is_changed = true;
+  }
+  if (auto* root = find_nominal(form, form.root); is_changed && root != nullptr)
+    root->features.push_back({"Allows", "true"});
+  return form;
+}
+
 /// A fragment completes a request of which only a part was understood. "Where shall I put it?" "On
 /// the left": then all is.
 void take_into_proposal(DialogueMove& request, const LogicalForm& fragment) {
@@ -476,8 +497,10 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
   // "Put the red ball on the box. And the blue one."
   const bool is_request = move.move.type == DialogueMoveType::action_directive &&
                           is_handling(form, vocabulary_->meanings());
-  if (is_question(move.move) || is_request)
+  if (is_question(move.move) || is_request) {
     question_ = move;
+    question_->move.content = without_prohibitions(std::move(question_->move.content));
+  }
   if (is_question(move.move) || move.move.type == DialogueMoveType::assertion)
     clause_ = move;
   if (!move.move.problem.empty()) {

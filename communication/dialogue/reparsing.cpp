@@ -5,6 +5,7 @@
 #include "castor/communication/dialogue/beside_requests.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/function_words.hpp"
+#include "castor/communication/dialogue/history_questions.hpp"
 #include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/dialogue/sequels.hpp"
 #include "castor/communication/dialogue/thing_names.hpp"
@@ -41,9 +42,20 @@ PartParser part_parser(Parser& parser) {
   };
 }
 
+std::optional<PackedLogicalForm> parsed_question_about_moves(Parser& parser,
+                                                             const WordList& words) {
+  const auto question = question_about_moves(words);
+  auto form = question ? parser.parse_whole(*question) : std::nullopt;
+  if (form)
+    form->corrections.push_back({written(words), written(*question)});
+  return form;
+}
+
 /// Of an utterance that is not understood as it stands.
 std::optional<PackedLogicalForm> parsed_otherwise(Parser& parser, const WordList& words,
                                                   const PackedLogicalForm& form) {
+  if (auto result = parsed_question_about_moves(parser, words))
+    return result;
   if (auto result = parsed_question_beside(parser, words, part_parser(parser)))
     return result;
   if (auto result = parsed_without_asides(parser, words))

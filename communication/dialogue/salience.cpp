@@ -65,8 +65,26 @@ Proxies set_with(const std::vector<const MoveReferents*>& moves, const std::stri
   return {};
 }
 
+/// "What is on the left? What is on the right? Swap those two": the answers to the last questions,
+/// if they are as many as that; else nothing.
+Proxies latest_answers(const std::vector<const MoveReferents*>& moves, const NumberRange& range) {
+  Proxies result;
+  for (const auto* move : moves) {
+    const auto answer = std::ranges::find_if(move->referents, &DiscourseReferent::is_answer);
+    if (answer == move->referents.end() || answer->proxies.size() != 1)
+      return {};
+    if (std::ranges::find(result, answer->proxies.front()) == result.end())
+      result.insert(result.begin(), answer->proxies.front());
+    if (is_within({result.size(), result.size()}, range) == Truth::yes)
+      return result;
+  }
+  return {};
+}
+
 /// The last things that were spoken of that are as many as that.
 Proxies latest_of_number(const std::vector<const MoveReferents*>& moves, const NumberRange& range) {
+  if (auto answers = latest_answers(moves, range); answers.size() > 1)
+    return answers;
   const auto fits = [&range](const Proxies& x) {
     return is_within({x.size(), x.size()}, range) == Truth::yes;
   };
@@ -209,14 +227,14 @@ std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
   std::vector<DiscourseReferent> result;
   auto& form = move.content;
   Evaluation evaluation{form, antecedents, scene};
+  const auto* root = find_nominal(form, form.root);
+  const auto* asked = root == nullptr ? nullptr : dependent(form, *root, "Wh-Restr");
   auto add = [&](const Nominal& phrase, const std::vector<std::string>& things, bool plural) {
-    DiscourseReferent referent{phrase.name, phrase.proposition, plural, {}};
+    DiscourseReferent referent{phrase.name, phrase.proposition, plural, {}, &phrase == asked};
     for (auto& id : things)
       referent.proxies.push_back(scene.proxy_of(id));
     result.push_back(std::move(referent));
   };
-  const auto* root = find_nominal(form, form.root);
-  const auto* asked = root == nullptr ? nullptr : dependent(form, *root, "Wh-Restr");
   if (asked != nullptr && (asked->sort == "thing" || asked->sort == "entity"))
     try {
       auto things = evaluation.answers(*root, *asked).best();

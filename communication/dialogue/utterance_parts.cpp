@@ -5,7 +5,9 @@
 #include "castor/communication/dialogue/directive.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -45,6 +47,19 @@ bool asks_for_handling(const PackedLogicalForm& form, const Lexicon& lexicon) {
 
 bool is_handling_verb(const std::string& word, const Lexicon& lexicon) {
   return lexicon.meanings().actions.contains(word) && lexicon.meanings().handling.contains(word);
+}
+
+bool begins_with_handling(const std::vector<std::string>& words, const Lexicon& lexicon) {
+  const auto first = std::ranges::find_if(words, [](const auto& x) {
+    return !is_among(x, {"and", "then", "please", "now", "so", "but"});
+  });
+  return first != words.end() &&
+         std::ranges::any_of(lexicon.find(*first), [&](std::uint32_t number) {
+           const auto& entry = lexicon.entry(number);
+           const auto& category = lexicon.categories()[entry.category];
+           return lexicon.symbols().text(category.result.name) == "s" &&
+                  is_handling_verb(entry.predicate, lexicon);
+         });
 }
 
 bool is_prohibition(const PackedLogicalForm& form, const Lexicon& lexicon) {

@@ -25,6 +25,9 @@ bool asks_for_handling(const PackedLogicalForm& form, const Lexicon& lexicon);
 /// Whether the word says what is to be done with things.
 bool is_handling_verb(const std::string& word, const Lexicon& lexicon);
 
+/// Whether words begin with a verb that says what is to be done with things: "set the cube there".
+bool begins_with_handling(const std::vector<std::string>& words, const Lexicon& lexicon);
+
 /// Whether it asks not to do something, which harms nobody if it is misunderstood.
 bool is_prohibition(const PackedLogicalForm& form, const Lexicon& lexicon);
 

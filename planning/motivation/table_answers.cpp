@@ -13,6 +13,15 @@ namespace castor::planning {
 
 namespace {
 
+/// A camera that looks down on a cube or a ball sees its width better than its height, which is as
+/// large; metres.
+double height_of(const TableThing& x) {
+  const auto shape = x.qualities.find("shape");
+  const bool is_regular =
+    shape != x.qualities.end() && (shape->second == "cube" || shape->second == "sphere");
+  return is_regular && x.height > 0 && x.width() > 0 ? x.width() : x.height;
+}
+
 TableGoal answer(std::string words) {
   return {TableWish::answer, {}, {}, 0, std::move(words)};
 }
@@ -218,16 +227,34 @@ TableGoal TableGoalMaker::extreme_pair(bool is_closest) const {
     }
   if (first == nullptr)
     return refusal("That takes two things at least.");
-  return answer(sentence(first->words + " and " + second->words + ": they are about " +
-                         centimetres(std::abs(best)) + " apart"));
+  auto result = answer(sentence(first->words + " and " + second->words + ": they are about " +
+                                centimetres(std::abs(best)) + " apart"));
+  result.things = {first->proxy, second->proxy};
+  return result;
+}
+
+/// "How high is the tower?": from the table to the top of the highest thing. Nothing if the things
+/// are not all stacked.
+std::optional<double> TableGoalMaker::height_of_stack() const {
+  double height = 0;
+  std::size_t below = 0;
+  for (const auto* x : things_) {
+    const bool is_above = std::ranges::any_of(
+      things_, [&](const auto* y) { return y != x && x->on == y->object && !x->is_held; });
+    below += is_above ? 0 : 1;
+    height += height_of(*x);
+  }
+  return things_.size() > 1 && below == 1 ? std::optional{height} : std::nullopt;
 }
 
 /// "How wide is the cylinder compared with the cube?"
 TableGoal TableGoalMaker::how_large(bool is_height) const {
+  if (const auto stacked = is_height ? height_of_stack() : std::nullopt)
+    return answer("It is about " + fine_centimetres(*stacked) + " high: " + listed(things_) + '.');
   std::string result;
   std::vector<double> sizes;
   for (const auto* x : things_) {
-    const double size = is_height ? x->height : x->width();
+    const double size = is_height ? height_of(*x) : x->width();
     if (size <= 0)
       return answer("I do not know how large " + x->words + " is.");
     sizes.push_back(size);

@@ -63,6 +63,7 @@ private:
   TableGoal how_far() const;
   TableGoal extreme_pair(bool is_closest) const;
   TableGoal how_large(bool is_height) const;
+  std::optional<double> height_of_stack() const;
   TableGoal list_in_order() const;
   TableGoal displaced() const;
   TableGoal touching() const;
@@ -80,6 +81,7 @@ private:
   // -- places (table_goals_places.cpp); those with an optional result say why it is impossible
   TableGoal put();
   TableGoal arrange(const std::string& arrangement, const std::string& side = {});
+  TableGoal arrange_at(const std::string& arrangement, const std::string& side);
   void stand_at(std::vector<TableSpot> spots);
   TableGoal put_where_another_is(const DirectivePlace& place, const std::string& verb);
   std::optional<std::string> put_further(const Shifted& way, std::string& where);

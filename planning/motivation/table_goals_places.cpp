@@ -76,7 +76,8 @@ Shifted further_along(const std::vector<communication::DirectivePlace>& places) 
 }
 
 bool is_measured_place(const communication::DirectivePlace& x) {
-  return is_measured(x.relation, x.landmarks.empty() ? 0 : x.distance);
+  const bool is_of_table = x.landmarks.empty() && landmarks_needed(x.relation) == 0;
+  return is_measured(x.relation, x.landmarks.empty() && !is_of_table ? 0 : x.distance);
 }
 
 } // namespace
@@ -98,22 +99,10 @@ TableGoal TableGoalMaker::put() {
     if (communication::is_arrangement(place.relation)) {
       if (part == places.end())
         return arrange(place.relation);
-      const auto side = part->relation.substr(0, part->relation.find("-middle"));
-      auto goal = arrange(place.relation, side);
-      if (goal.wish == TableWish::goal)
+      auto goal =
+        arrange_at(place.relation, part->relation.substr(0, part->relation.find("-middle")));
+      if (goal.wish == TableWish::goal || room_.landings().most_often_beyond() != nullptr)
         return goal;
-      // Where no row has room at an edge, it may have room on that side.
-      const auto edge = side.find("-edge");
-      const bool is_edge = edge != std::string::npos;
-      if (is_edge)
-        goal = arrange(place.relation, side.substr(0, edge));
-      if (goal.wish == TableWish::goal)
-        return goal;
-      // Where the arm does not get so far.
-      if (room_.landings().most_often_beyond() != nullptr) {
-        auto towards = arrange(place.relation, "towards-" + side + (is_edge ? "" : "-edge"));
-        return towards.wish == TableWish::goal ? towards : goal;
-      }
       // "In a row along the edge": at an edge they are in a row.
       continue;
     }
@@ -166,6 +155,21 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement, const std::str
   stand_at(std::move(spots_));
   return goal("put " + listed(things_) + ' ' + words + but_what_is_kept(),
               listed(things_) + are(things_) + ' ' + words + " now" + but_what_is_kept());
+}
+
+/// At a side or an edge of the table, or as near to it as there is room and the arm gets.
+TableGoal TableGoalMaker::arrange_at(const std::string& arrangement, const std::string& side) {
+  auto goal = arrange(arrangement, side);
+  if (goal.wish == TableWish::goal || side.empty())
+    return goal;
+  const auto edge = side.find("-edge");
+  const bool is_edge = edge != std::string::npos;
+  if (is_edge)
+    goal = arrange(arrangement, side.substr(0, edge));
+  if (goal.wish == TableWish::goal || room_.landings().most_often_beyond() == nullptr)
+    return goal;
+  auto towards = arrange(arrangement, "towards-" + side + (is_edge ? "" : "-edge"));
+  return towards.wish == TableWish::goal ? towards : goal;
 }
 
 /// Each of the things at its spot; what is there stays.

@@ -15,6 +15,14 @@ constexpr std::pair<std::string_view, std::string_view> measured_words[] = {
   {"midway", "half-way between"},
   {"equidistant", "as far from"},
   {"in-line", "in line with"},
+  {"level", "level with"},
+  {"level-across", "in the same column as"},
+  {"centre", "towards the middle"},
+  {"left-edge", "from the left edge"},
+  {"right-edge", "from the right edge"},
+  {"front-edge", "from the front edge"},
+  {"back-edge", "from the back edge"},
+  {"edge", "from the edge"},
   {"other-side", "on the other side of"},
   {"roomiest", "where there is room"},
   {"closer", "closer to"},
@@ -47,9 +55,8 @@ std::optional<std::string> TableGoalMaker::put_at_spot(const DirectivePlace& pla
     if (landmarks.back()->is_held)
       return "I hold " + landmarks.back()->words + ". Tell me to put it down first.";
   }
-  const auto needed = landmarks_needed(place.relation);
-  if (landmarks.size() != needed)
-    return needed == 2
+  if (!takes_landmarks(place.relation, landmarks.size()))
+    return landmarks_needed(place.relation) == 2
              ? "That takes two things, but I know of " + std::to_string(landmarks.size()) + '.'
              : "That can be said of one thing only.";
   const bool is_seen_from_there =
@@ -135,7 +142,9 @@ TableGoal TableGoalMaker::sort_in_row() {
                                            : std::max(x->height, x->width());
     return is_down ? -measure : measure;
   });
-  auto result = arrange("in-row-as-named");
+  const auto part = std::ranges::find_if(
+    step_.places, [](const DirectivePlace& x) { return !x.relation.starts_with("in-"); });
+  auto result = arrange_at("in-row-as-named", part == step_.places.end() ? "" : part->relation);
   if (result.wish != TableWish::goal)
     return result;
   const auto measure = " by " + (by == "volume" ? std::string{"size"} : by);

@@ -70,7 +70,8 @@ public:
     if (remembered_.empty())
       return "I have moved nothing.";
     if (action == "LastMoved")
-      return "The last thing that I moved is " + remembered_.back().words + '.';
+      return "The last thing that I moved is " + remembered_.back().words +
+             (remembered_.back().because.empty() ? "" : ": " + remembered_.back().because) + '.';
     if (action == "FirstMoved")
       return moves_ > remembered_.size()
                ? "I do not remember what I moved first: that is too long ago."
@@ -79,7 +80,7 @@ public:
       return "I have made " + counted(moves_, "move") + ": " + last_in_order();
     if (action == "MovesInOrder")
       return "I have moved " + last_in_order();
-    return which_were_moved();
+    return moved(action == "MovedForThat" ? moved_for_the_last() : std::span{remembered_});
   }
 
 private:
@@ -89,10 +90,19 @@ private:
     return (moves_ > said.size() ? "last " : "") + in_order(said) + '.';
   }
 
-  std::string which_were_moved() const {
+  /// What was moved for the same request as the last thing.
+  std::span<const TableMove> moved_for_the_last() const {
+    const auto& because = remembered_.back().because;
+    const auto before =
+      std::ranges::find_if(remembered_.rbegin(), remembered_.rend(),
+                           [&](const TableMove& x) { return x.because != because; });
+    return {before.base(), remembered_.end()};
+  }
+
+  static std::string moved(std::span<const TableMove> moves) {
     Words names;
     std::vector<std::string> objects;
-    for (const auto& x : remembered_)
+    for (const auto& x : moves)
       if (std::ranges::find(objects, x.object) == objects.end()) {
         objects.push_back(x.object);
         names.push_back(x.words);
@@ -117,8 +127,9 @@ private:
 } // namespace
 
 bool asks_about_history(std::string_view action) {
-  constexpr std::array<std::string_view, 6> questions{"WhichMoved", "NotMoved",     "LastMoved",
-                                                      "FirstMoved", "HowManyMoves", "MovesInOrder"};
+  constexpr std::array<std::string_view, 7> questions{"WhichMoved",  "NotMoved",     "LastMoved",
+                                                      "FirstMoved",  "HowManyMoves", "MovesInOrder",
+                                                      "MovedForThat"};
   return std::ranges::find(questions, action) != questions.end();
 }
 

@@ -47,6 +47,32 @@ std::optional<double> changed_gap(std::string_view relation, double change, doub
   return closer < narrow_gap ? std::nullopt : std::optional{closer};
 }
 
+/// So far from an edge of the table, or towards its middle.
+std::vector<TablePoint> at_part(std::string_view part, double metres, const TableThing& thing) {
+  const auto own = place_of(thing);
+  if (part == "centre") {
+    const double way = std::hypot(own.x, own.y);
+    const double left = way < 1e-6 ? 0 : std::max(way - metres, 0.0) / way;
+    return {{own.x * left, own.y * left}};
+  }
+  const double x = table_half_width - metres - thing.radius;
+  const double y = table_half_depth - metres - thing.radius;
+  const auto across = [&](double at) { return along({at, own.y}, {0, 1}, 2 * table_half_depth); };
+  const auto beside = [&](double at) { return along({own.x, at}, {1, 0}, 2 * table_half_width); };
+  if (part == "left-edge")
+    return across(-x);
+  if (part == "right-edge")
+    return across(x);
+  if (part == "front-edge")
+    return beside(-y);
+  if (part == "back-edge")
+    return beside(y);
+  // The nearest edge.
+  return table_half_width - std::abs(own.x) < table_half_depth - std::abs(own.y)
+           ? across(own.x < 0 ? -x : x)
+           : beside(own.y < 0 ? -y : y);
+}
+
 std::vector<TablePoint> candidates(std::string_view relation, double gap, const TableThing& thing,
                                    const Landmarks& landmarks) {
   const auto first = landmarks.empty() ? TablePoint{} : place_of(*landmarks.front());
@@ -57,8 +83,21 @@ std::vector<TablePoint> candidates(std::string_view relation, double gap, const 
     return {middle};
   if (relation == "equidistant")
     return along(middle, {-line.y, line.x}, table_half_width);
+  const auto row = along({thing.x, first.y}, {1, 0}, 2 * table_half_width);
+  const auto column = along({first.x, thing.y}, {0, 1}, 2 * table_half_depth);
+  if (relation == "level")
+    return row;
+  if (relation == "level-across")
+    return column;
+  if (relation == "in-line" && landmarks.size() == 1) {
+    auto both = row;
+    both.insert(both.end(), column.begin(), column.end());
+    return both;
+  }
   if (relation == "in-line")
     return along(middle, line, 2 * table_half_width);
+  if (landmarks.empty())
+    return at_part(relation, gap, thing);
   const double beside =
     landmarks.empty() ? 0 : landmarks.front()->radius + thing.radius + std::max(gap, 0.0);
   if (relation == "other-side") {
@@ -112,15 +151,24 @@ std::optional<TableSpot> roomiest(const TableThing& thing, const TableRoom& room
 } // namespace
 
 bool is_measured(std::string_view relation, double distance) {
-  constexpr std::array<std::string_view, 7> measured{
-    "midway", "equidistant", "in-line", "other-side", "roomiest", "closer", "farther"};
-  constexpr std::array<std::string_view, 5> sides{"left", "right", "front", "back", "near"};
+  constexpr std::array<std::string_view, 9> measured{"midway",   "equidistant",  "in-line",
+                                                     "level",    "level-across", "other-side",
+                                                     "roomiest", "closer",       "farther"};
+  constexpr std::array<std::string_view, 11> sides{
+    "left",      "right",      "front",      "back",      "near", "centre",
+    "left-edge", "right-edge", "front-edge", "back-edge", "edge"};
   return std::ranges::find(measured, relation) != measured.end() ||
          (distance > 0 && std::ranges::find(sides, relation) != sides.end());
 }
 
+bool takes_landmarks(std::string_view relation, std::size_t number) {
+  if (relation == "in-line")
+    return number == 1 || number == 2;
+  return number == landmarks_needed(relation);
+}
+
 std::size_t landmarks_needed(std::string_view relation) {
-  if (relation == "roomiest")
+  if (relation == "roomiest" || relation == "centre" || relation.ends_with("edge"))
     return 0;
   return relation == "midway" || relation == "equidistant" || relation == "in-line" ? 2 : 1;
 }
@@ -136,7 +184,8 @@ std::optional<TableSpot> measured_spot(std::string_view relation, double gap,
     return roomiest(thing, room);
   auto points = candidates(relation, gap, thing, landmarks);
   // Of a line all points are as good: the nearest is taken.
-  if (relation == "equidistant" || relation == "in-line")
+  if (relation == "equidistant" || relation == "in-line" || relation.starts_with("level") ||
+      relation.ends_with("edge"))
     std::ranges::stable_sort(points, {},
                              [&](const TablePoint& p) { return distance(p, place_of(thing)); });
   const auto* landmark = landmarks.size() == 1 ? landmarks.front() : nullptr;

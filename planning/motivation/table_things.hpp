@@ -28,6 +28,8 @@ struct TableMove {
   /// The planner's name for the thing, and how it is called: "the red ball".
   std::string object;
   std::string words;
+  /// What it was done for: "you said 'put the ball there'"; empty if nobody says so.
+  std::string because = {};
 
   friend bool operator==(const TableMove&, const TableMove&) = default;
 };

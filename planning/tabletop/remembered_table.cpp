@@ -38,7 +38,7 @@ RememberedTable TableMemory::remembered() const {
   result.next_waypoint = next_waypoint_;
   result.moves = history_.moves;
   for (const auto& move : history_.remembered)
-    result.last_moves.push_back({move.object, move.words});
+    result.last_moves.push_back({move.object, move.words, move.because});
   return result;
 }
 
@@ -50,7 +50,7 @@ void TableMemory::recall(const RememberedTable& x) {
   next_waypoint_ = x.next_waypoint;
   history_ = {x.moves, {}};
   for (const auto& move : x.last_moves)
-    history_.remembered.push_back({move.thing, move.words});
+    history_.remembered.push_back({move.thing, move.words, move.because});
   for (const auto& waypoint : x.waypoints)
     waypoints_[waypoint.name] = waypoint.place;
   for (const auto& choice : x.chosen)

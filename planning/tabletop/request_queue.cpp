@@ -70,17 +70,19 @@ Address RequestQueue::drop_last() {
 bool RequestQueue::moved_other_than(const RequestedStep& step) const {
   const auto& last = steps_.current.what;
   const bool is_same_deed = last.action == step.what.action && last.places == step.what.places;
-  const bool is_undone =
-    last.action == "Take" || (last.action == "Put" && !last.places.empty() &&
-                              last.things.size() == 1 && step.what.things.size() == 1);
+  const bool is_undone = last.action == "Take" ||
+                         (last.action == "Swap" && last.things.size() == 2) ||
+                         (last.action == "Put" && !last.places.empty() && last.things.size() == 1 &&
+                          step.what.things.size() == 1);
   return !is_busy() && steps_.waiting.empty() && steps_.given_up.empty() && is_same_deed &&
          is_undone && last.number == 0 && step.what.things != last.things;
 }
 
-/// "Wrong, the red cube": what was moved is put back where it was.
+/// "Wrong, the red cube": what was moved is put back where it was, what was swapped is swapped
+/// again.
 RequestedStep RequestQueue::put_back_before(const RequestedStep& step) const {
   RequestedStep back{step.move, {}, step.agrees_to};
-  back.what.action = "PutBack";
+  back.what.action = steps_.current.what.action == "Swap" ? "Swap" : "PutBack";
   back.what.things = steps_.current.what.things;
   return back;
 }
@@ -128,7 +130,7 @@ bool RequestQueue::go_on() {
 }
 
 const RequestedStep* RequestQueue::next() {
-  if (is_busy() || steps_.waiting.empty())
+  if (is_busy() || steps_.is_paused || steps_.waiting.empty())
     return nullptr;
   steps_.current = std::move(steps_.waiting.front());
   steps_.waiting.erase(steps_.waiting.begin());

@@ -124,7 +124,7 @@ void TableMemory::leave(Thing& x) {
   // What was taken is put down by the same move.
   if (!x.is_held) {
     ++history_.moves;
-    history_.remembered.push_back({x.name, words(x)});
+    history_.remembered.push_back({x.name, words(x), because_});
     if (history_.remembered.size() > most_remembered_moves)
       history_.remembered.erase(history_.remembered.begin());
   }
@@ -140,17 +140,24 @@ std::string TableMemory::new_waypoint(GroundPoint place) {
 void TableMemory::see(const std::vector<ThingOnTable>& things, bool is_complete) {
   std::vector<const ThingOnTable*> others;
   std::set<std::string> seen;
-  for (const auto& x : things)
-    if (auto* known = with_id(x.id) == nullptr ? nullptr : find(with_id(x.id)->name)) {
-      see_as(*known, x);
-      seen.insert(known->name);
-    } else {
-      others.push_back(&x);
-    }
   std::set<std::string> loaded;
   for (const auto& x : things_)
     if (!x.on.empty())
       loaded.insert(x.on);
+  for (const auto& x : things)
+    if (auto* known = with_id(x.id) == nullptr ? nullptr : find(with_id(x.id)->name)) {
+      const auto before = known->seen;
+      see_as(*known, x);
+      // Of a stack, vision does not see where one thing ends.
+      if (loaded.contains(known->name) || !known->on.empty()) {
+        known->seen.radius = before.radius;
+        known->seen.height = before.height;
+        known->seen.lengths = before.lengths;
+      }
+      seen.insert(known->name);
+    } else {
+      others.push_back(&x);
+    }
   std::erase_if(things_, [&](Thing& x) {
     if (seen.contains(x.name) || x.is_held || !x.on.empty())
       return false;
@@ -217,7 +224,8 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
   return result;
 }
 
-AchieveGoal TableMemory::begin(const TableGoal& goal) {
+AchieveGoal TableMemory::begin(const TableGoal& goal, const std::string& because) {
+  because_ = because;
   chosen_.clear();
   done_.clear();
   put_there_.clear();

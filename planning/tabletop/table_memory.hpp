@@ -90,7 +90,8 @@ public:
   /// For goals. @param places where things are, in parts of the table
   std::vector<TableThing> things(const std::vector<ThingAtPlace>& places) const;
   /// Begins a goal: forgets what was chosen for another, and reserves its new places.
-  AchieveGoal begin(const TableGoal& goal);
+  /// @param because what it is done for: "you said 'put the ball there'"
+  AchieveGoal begin(const TableGoal& goal, const std::string& because = {});
   /// Things are not to be touched from now on, nothing is to be put on them, or both is allowed, as
   /// the goal says.
   void keep(const TableGoal& goal);
@@ -174,6 +175,8 @@ private:
   /// Nothing has been moved for the goal yet.
   bool is_unmoved_ = true;
   TableHistory history_;
+  /// What the goal that has begun is done for.
+  std::string because_;
   std::size_t next_waypoint_ = 1;
 };
 

@@ -20,6 +20,8 @@ struct TableGoalRequest {
   communication::DirectiveStep step;
   /// The goal is pursued from now on; else it is only asked whether there is one.
   bool begins = true;
+  /// Of the goal: "you said 'put the ball there'".
+  std::string because = {};
 };
 
 struct TableGoalReply {
@@ -100,10 +102,12 @@ struct RememberedChoice {
   friend bool operator==(const RememberedChoice&, const RememberedChoice&) = default;
 };
 
-/// A move that was made: the planner's name of the thing, and how it is called.
+/// A move that was made: the planner's name of the thing, how it is called, and what it was done
+/// for.
 struct RememberedMove {
   std::string thing;
   std::string words;
+  std::string because = {};
 
   friend bool operator==(const RememberedMove&, const RememberedMove&) = default;
 };
@@ -164,7 +168,7 @@ struct RequestedSteps {
 inline constexpr const char* requested_steps = "requested steps";
 
 CASTOR_REFLECT(TableProblem, reason, help, has_begun)
-CASTOR_REFLECT(TableGoalRequest, step, begins)
+CASTOR_REFLECT(TableGoalRequest, step, begins, because)
 CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result, things, is_impossible)
 CASTOR_REFLECT(RequestedStep, move, what, agrees_to)
 CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopped, is_paused)
@@ -174,7 +178,7 @@ CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, heigh
                waypoint_at_first, is_kept, is_kept_clear, waypoint_noted, lengths)
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
-CASTOR_REFLECT(RememberedMove, thing, words)
+CASTOR_REFLECT(RememberedMove, thing, words, because)
 CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint, moves, last_moves)
 
 } // namespace castor::planning

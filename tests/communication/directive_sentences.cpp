@@ -30,8 +30,9 @@ std::vector<DirectiveSentences> directive_sentences(const std::string& file) {
 
 const std::shared_ptr<const Vocabulary>& words_of_requests() {
   static const auto result = std::make_shared<const Vocabulary>(
-    lexicon_of_files("english.ccg actions.ccg paraphrases.words examples.words tabletop.words table-actions.words",
-                     CASTOR_LANGUAGE_FOLDER),
+    lexicon_of_files(
+      "english.ccg actions.ccg paraphrases.words examples.words tabletop.words table-actions.words",
+      CASTOR_LANGUAGE_FOLDER),
     binding::shared_ontology());
   return result;
 }

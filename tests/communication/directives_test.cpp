@@ -54,6 +54,7 @@ std::string shown(const DirectiveStep& x, bool asks_whether_possible) {
                                                         {"WhichMoved", "which-moved"},
                                                         {"LastMoved", "last-moved"},
                                                         {"NotMoved", "not-moved"},
+                                                        {"MovedForThat", "moved-for-that"},
                                                         {"Displaced", "displaced"},
                                                         {"Touching", "touching"},
                                                         {"ListFromLeft", "list-from-left"},

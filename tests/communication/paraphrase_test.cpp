@@ -80,7 +80,8 @@ TEST(Paraphrase, WhatIsWrongInOneIsSaid) {
   EXPECT_THAT(problem_of("give X = take Y"), HasSubstr("has no \"Y\""));
   EXPECT_THAT(problem_of("X and X = X"), HasSubstr("twice"));
   EXPECT_THAT(problem_of("X maybe? = X"), HasSubstr("has to be said"));
-  EXPECT_THAT(problem_of("on the @side = at the @side"), HasSubstr("no list has the name \"side\""));
+  EXPECT_THAT(problem_of("on the @side = at the @side"),
+              HasSubstr("no list has the name \"side\""));
 }
 
 TEST(Paraphrase, WhatIsSaidOfAListIsSaidInTheParaphrase) {
@@ -99,8 +100,8 @@ TEST(Paraphrase, WhatIsSaidOfAListIsSaidInTheParaphrase) {
 }
 
 TEST(Paraphrase, ListsAreNamedOnceAndHaveWords) {
-  const auto read = read_lexicon("root s\nlist side left|right\nlist side front\nlist empty\n",
-                                 "some.words");
+  const auto read =
+    read_lexicon("root s\nlist side left|right\nlist side front\nlist empty\n", "some.words");
   ASSERT_EQ(read.problems.size(), 2U);
   EXPECT_THAT(read.problems.front().message, HasSubstr("already"));
   EXPECT_THAT(read.problems.back().message, HasSubstr("a name and words"));

@@ -78,8 +78,9 @@ class TableExecutor final : public FindsPlaces {
       remember();
     }
     if (goal.wish != TableWish::goal)
-      return {goal.words, {}, {}, {}, {}, goal.wish == TableWish::refusal};
-    auto reached = request.begins ? memory_.begin(goal) : AchieveGoal{goal.formula};
+      return {goal.words, {}, {}, {}, std::move(goal.things), goal.wish == TableWish::refusal};
+    auto reached =
+      request.begins ? memory_.begin(goal, request.because) : AchieveGoal{goal.formula};
     if (request.begins) {
       remember();
       refusals_.clear();

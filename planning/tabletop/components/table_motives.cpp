@@ -118,9 +118,11 @@ class TableMotives final : public HearsRequests {
         debug("after the last step it waits anyway"); // "Take the ball and wait."
       else if (x.action == "GoOn")
         resume_arm(referents.move, referents.steps.size() == 1);
-      else if (is_question(x.action) || x.action == "Note")
-        reply(referents.move, MotiveReply::done, goal_of({x, true}).refusal);
-      else if (x.action == "Forbid" || x.action == "Allow")
+      else if (is_question(x.action) || x.action == "Note") {
+        auto answered = goal_of({x, true});
+        reply(referents.move, MotiveReply::done, std::move(answered.refusal),
+              std::move(answered.things));
+      } else if (x.action == "Forbid" || x.action == "Allow")
         restrain(referents.move, x);
       else
         steps.push_back({referents.move, x, referents.agrees_to});
@@ -130,8 +132,11 @@ class TableMotives final : public HearsRequests {
     const bool has_to_wait = (queue_.is_busy() || !queue_.steps().waiting.empty()) &&
                              !referents.corrects && !referents.comes_first;
     withdraw(queue_.add(steps, referents));
-    // What is to be done now ends the waiting: "Wait. - Give me the ball."
-    if (!has_to_wait && queue_.resume())
+    // What is to be done now ends the waiting: "Wait. - Give me the ball." "Wait, and then give me
+    // the ball" does not.
+    const bool waits_first =
+      std::ranges::any_of(referents.steps, [](const auto& x) { return x.action == "Wait"; });
+    if (!has_to_wait && !waits_first && queue_.resume())
       perform(manipulation_, manipulation::ResumeArm{}).wait(patience_.get());
     if (has_to_wait)
       reply(referents.move, MotiveReply::accepted, "I will do that then.");
@@ -275,7 +280,7 @@ class TableMotives final : public HearsRequests {
   }
 
   void begin(const RequestedStep& step) {
-    auto asked = goal_of({step.what, true});
+    auto asked = goal_of({step.what, true, reason_of(step)});
     if (!asked.refusal.empty()) {
       note_refusal(step, asked.refusal);
       return give_up(step.move, asked.refusal);

@@ -28,8 +28,8 @@ const TableHistory three{3, {ball, disc, ball}};
 } // namespace
 
 TEST(TableHistory, IsAskedByQuestions) {
-  for (const auto* action :
-       {"WhichMoved", "NotMoved", "LastMoved", "FirstMoved", "HowManyMoves", "MovesInOrder"}) {
+  for (const auto* action : {"WhichMoved", "NotMoved", "LastMoved", "FirstMoved", "HowManyMoves",
+                             "MovesInOrder", "MovedForThat"}) {
     EXPECT_TRUE(asks_about_history(action));
     EXPECT_TRUE(is_question(action));
   }
@@ -55,6 +55,18 @@ TEST(TableHistory, SaysWhatWasFirstAndLast) {
   EXPECT_EQ(answer("LastMoved", {2, {box, disc}}), "The last thing that I moved is the disc.");
   EXPECT_EQ(answer("FirstMoved", {90, {box, disc}}),
             "I do not remember what I moved first: that is too long ago.");
+}
+
+TEST(TableHistory, SaysWhatTheLastMovesWereMadeFor) {
+  const TableMove before{"a", "the red ball", "you said 'clear the front'"};
+  const TableMove first{"c", "the red box", "you said 'swap them'"};
+  const TableMove second{"b", "the blue ball", "you said 'swap them'"};
+  EXPECT_EQ(answer("LastMoved", {3, {before, first, second}}),
+            "The last thing that I moved is the blue ball: you said 'swap them'.");
+  EXPECT_EQ(answer("MovedForThat", {3, {before, first, second}}),
+            "I have moved two things: the red box and the blue ball.");
+  EXPECT_EQ(answer("MovedForThat", {1, {before}}), "I have moved the red ball.");
+  EXPECT_EQ(answer("MovedForThat", {}), "I have moved nothing.");
 }
 
 TEST(TableHistory, SaysInWhichOrderAndHowOften) {

@@ -98,6 +98,30 @@ TEST(TableSpots, InLineIsOnTheLineThroughBoth) {
   EXPECT_NEAR(spot_for("in-line", {"p/ball", "p/box"}).y, 0.0, 1e-9);
 }
 
+TEST(TableSpots, LevelIsInTheRowOfAThingOrInItsColumn) {
+  const auto disc = spotted()[2];
+  const auto box = spotted()[1];
+  EXPECT_NEAR(spot_for("level", {"p/box"}).y, box.y, 1e-9);
+  EXPECT_NEAR(spot_for("level-across", {"p/box"}).x, box.x, 1e-9);
+  // "In line with it" is the nearer one of both.
+  const auto at = spot_for("in-line", {"p/box"});
+  EXPECT_NEAR(std::hypot(at.x - disc.x, at.y - disc.y),
+              std::min(std::abs(box.x - disc.x), std::abs(box.y - disc.y)), 0.05);
+}
+
+TEST(TableSpots, DistancesFromEdgesAreThoseOfTheThing) {
+  const auto disc = spotted()[2];
+  EXPECT_NEAR(spot_for("left-edge", {}, 0.05).x, -table_half_width + disc.radius + 0.05, 1e-9);
+  EXPECT_NEAR(spot_for("back-edge", {}, 0.06).y, table_half_depth - disc.radius - 0.06, 1e-9);
+}
+
+TEST(TableSpots, TowardsTheMiddleIsAsFarAsSaid) {
+  const auto disc = spotted()[2];
+  const double way = std::hypot(disc.x, disc.y);
+  const auto at = spot_for("centre", {}, 0.04);
+  EXPECT_NEAR(std::hypot(at.x, at.y), way - 0.04, 1e-9);
+}
+
 TEST(TableSpots, TheOtherSideIsThatAwayFromWhereItIs) {
   const auto at = spot_for("other-side", {"p/box"}, 0, "ball");
   EXPECT_GT(at.x, 0.15);

@@ -213,6 +213,14 @@ TEST_F(RequestQueueTest, WaitsUntilItIsToGoOnOrToStop) {
   EXPECT_FALSE(queue.resume());
 }
 
+TEST_F(RequestQueueTest, BeginsNothingWhileItWaits) {
+  queue.add({step("a", "Put")}, {});
+  queue.pause();
+  EXPECT_EQ(queue.next(), nullptr);
+  queue.resume();
+  EXPECT_NE(queue.next(), nullptr);
+}
+
 TEST_F(RequestQueueTest, ReplacesTheRequestThatIsBeingDone) {
   queue.add({step("a", "Take"), step("a", "Put")}, {});
   begin("m1");
