@@ -344,11 +344,15 @@ struct DirectiveStep {
   /// All of them are to hold; empty if nothing is said.
   std::vector<DirectivePlace> places;
   /// Kind of feature that the things are to be sorted by, or a measure: height, width, volume, from
-  /// the left, or with "-down" from the right; else empty.
+  /// the left, or with "-down" from the right; of what is allowed, `implied` if a request says so
+  /// only by the way; else empty.
   std::string by;
 
   friend bool operator==(const DirectiveStep&, const DirectiveStep&) = default;
 };
+
+/// Of what somebody may do as a request says: "now you may put it there".
+inline constexpr std::string_view implied = "implied";
 
 /// Things mentioned in a dialogue move. Added when binding has processed everything said before.
 struct MoveReferents {

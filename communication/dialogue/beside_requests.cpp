@@ -230,7 +230,7 @@ std::optional<PackedLogicalForm> without_remarks(Parser& parser, const WordList&
       (is_before_so && says_why(x, parser.lexicon())) || is_remark(x, parser.lexicon()) ||
       is_about_people(x, parser) || says_purpose(x) || is_caution(x) ||
       is_comparison(x, parser.lexicon()) || (request.empty() && is_purpose_before(x, parser)) ||
-      LikelyMeaning{parser, x}.is_remark(false);
+      (!begins_with_if(x) && LikelyMeaning{parser, x}.is_remark(false));
     if (request.empty() && left_out.empty())
       begins_with_remark = is_aside_piece;
     const bool is_left_out = is_alternative || is_aside_piece;

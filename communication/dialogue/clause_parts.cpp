@@ -230,9 +230,11 @@ void choose_from_topic(LogicalForm& form) {
 void choose_among(LogicalForm& form) {
   auto* root = find_nominal(form, form.root);
   const auto* topic = dependent(form, *root, "Among");
-  const auto* patient = dependent(form, *root, "Patient");
-  if (root->sort != "action" || topic == nullptr || patient == nullptr || is_pronoun(*patient) ||
-      patient->sort != "thing" || dependent(form, *patient, "PartOf") != nullptr)
+  const auto* action = root->sort == "conjunction" ? dependent(form, *root, "First") : root;
+  const auto* patient = action == nullptr ? nullptr : dependent(form, *action, "Patient");
+  if (action == nullptr || action->sort != "action" || topic == nullptr || patient == nullptr ||
+      is_pronoun(*patient) || patient->sort != "thing" ||
+      dependent(form, *patient, "PartOf") != nullptr)
     return;
   const auto name = topic->name;
   erase_relation(*root, "Among");

@@ -57,8 +57,10 @@ public:
         throw Uninterpretable{Reason::word, x.proposition};
     for_each_action(form_, *root, [this](auto& x) { add(x); });
     exchange();
+    put_others_on();
     mind_what_moves();
     resolve_there();
+    keep_others_only();
     drop_needless();
     return std::move(steps_);
   }
@@ -104,10 +106,12 @@ private:
     // "Take it back and put it where it was" is done once.
     const bool is_said_again = !steps_.empty() && step == steps_.back() &&
                                step.action == action_for("put-back") && !step.things.empty();
-    // "Leave the balls alone and move the others. Now the balls as well."
-    if (feature(x, "Allows") == "true" && !step.things.empty() &&
+    // "Leave the balls alone and move the others. Now the balls as well", "now you may move it
+    // there".
+    const bool allows = feature(x, "Allows") == "true" || feature(x, "Permission") == "true";
+    if (allows && !is_permission(x) && !step.things.empty() &&
         vocabulary().meanings().actions.contains("allow"))
-      steps_.push_back({action_for("allow"), step.things, 0, {}, {}});
+      steps_.push_back({action_for("allow"), step.things, 0, {}, std::string{implied}});
     if (!is_said_again)
       steps_.push_back(std::move(step));
     meant_.end_step(!steps_.back().things.empty());
@@ -203,6 +207,35 @@ private:
     const bool is_alone = dependent(form_, x, "Destination") == nullptr;
     return x.proposition == "allow" || (x.proposition == "touch" && is_alone) ||
            (feature(x, "Permission") == "true" && x.proposition == "move" && is_alone);
+  }
+
+  /// "Put the cube under the ball": the ball on the cube.
+  void put_others_on() {
+    for (auto& step : steps_) {
+      const bool is_under = step.places.size() == 1 && step.places.front().relation == "under" &&
+                            step.places.front().landmarks.size() == 1 && step.things.size() == 1;
+      if (!is_under || step.number != 0)
+        continue;
+      step.places.front().relation = "on";
+      std::swap(step.things, step.places.front().landmarks);
+    }
+  }
+
+  /// "Push the ball towards the cube without touching it": what is to be moved is not what is not
+  /// to be touched.
+  void keep_others_only() {
+    const auto forbids = [this](const DirectiveStep& x) {
+      return x.action == action_for("forbid");
+    };
+    const auto& actions = vocabulary().meanings().actions;
+    if (steps_.size() < 2 || !actions.contains("forbid"))
+      return;
+    for (const auto& moved : std::vector<DirectiveStep>{steps_})
+      if (!forbids(moved) && !moved.places.empty())
+        for (auto& kept : steps_)
+          if (forbids(kept) && kept.things == moved.things && kept.places.empty())
+            kept.things = moved.places.front().landmarks;
+    std::erase_if(steps_, [&](const DirectiveStep& x) { return forbids(x) && x.things.empty(); });
   }
 
   /// "The ball where the cube is, and the cube where the ball is": they change places.

@@ -224,6 +224,9 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
     if (result.landmark == nullptr)
       result.relation = part_by(destination.proposition, anchor->proposition);
     result.distance = metres_of(destination);
+    // "Away from the right side", unless it is said how far.
+    if (result.landmark == nullptr && result.distance <= 0 && destination.proposition == "from")
+      result.relation = part_away_from(result.relation);
     return {result};
   }
   if (const auto* everywhere = vocabulary.surroundings(*anchor)) {

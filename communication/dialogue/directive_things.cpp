@@ -128,6 +128,9 @@ std::optional<MeantThings> DirectiveThings::of_clause(const Nominal& phrase) con
 }
 
 MeantThings DirectiveThings::things(const Nominal& phrase) {
+  // "Neither of the balls should be on the left" is no request to put one there.
+  if (feature(phrase, "Delimitation") == "neither")
+    throw Uninterpretable{Reason::word, "neither"};
   auto result = things_of(phrase);
   if (!result.things.empty()) {
     if (!is_pronoun(phrase) && !is_about_others(form_, phrase))
@@ -340,7 +343,7 @@ std::int32_t DirectiveThings::number_of(const Nominal& phrase, std::size_t all) 
   const auto delimited = feature(phrase, "Delimitation");
   if (delimited == "all" || delimited == "both")
     return 0;
-  if (delimited == "none")
+  if (delimited == "none" || delimited == "neither")
     throw Uninterpretable{Reason::word, phrase.proposition};
   if (delimited == "half")
     return static_cast<std::int32_t>((all + 1) / 2);

@@ -153,6 +153,9 @@ class TableMotives final : public HearsRequests {
     if (is_busy_with_it)
       end(move);
     const auto told = goal_of({step, true});
+    // Nothing has to be said of what was not forbidden.
+    if (step.by == communication::implied && told.things.empty())
+      return;
     reply(move, told.things.empty() ? MotiveReply::impossible : MotiveReply::done, told.refusal);
   }
 
