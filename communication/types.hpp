@@ -344,15 +344,17 @@ struct DirectiveStep {
   /// All of them are to hold; empty if nothing is said.
   std::vector<DirectivePlace> places;
   /// Kind of feature that the things are to be sorted by, or a measure: height, width, volume, from
-  /// the left, or with "-down" from the right; of what is allowed, `implied` if a request says so
-  /// only by the way; else empty.
+  /// the left, or with "-down" from the right; `as_tower` or `by_the_way`; else empty.
   std::string by;
 
   friend bool operator==(const DirectiveStep&, const DirectiveStep&) = default;
 };
 
+/// Of several things whose height is asked for as that of a tower.
+inline constexpr std::string_view as_tower = "as-tower";
+
 /// Of what somebody may do as a request says: "now you may put it there".
-inline constexpr std::string_view implied = "implied";
+inline constexpr std::string_view by_the_way = "by-the-way";
 
 /// Things mentioned in a dialogue move. Added when binding has processed everything said before.
 struct MoveReferents {

@@ -109,12 +109,30 @@ private:
     // "Leave the balls alone and move the others. Now the balls as well", "now you may move it
     // there".
     const bool allows = feature(x, "Allows") == "true" || feature(x, "Permission") == "true";
-    if (allows && !is_permission(x) && !step.things.empty() &&
+    if (allows && !is_permission(x) && !step.things.empty() && step.number == 0 &&
         vocabulary().meanings().actions.contains("allow"))
-      steps_.push_back({action_for("allow"), step.things, 0, {}, std::string{implied}});
+      steps_.push_back({action_for("allow"), step.things, 0, {}, std::string{by_the_way}});
+    do_first(x, step);
     if (!is_said_again)
       steps_.push_back(std::move(step));
     meant_.end_step(!steps_.back().things.empty());
+  }
+
+  /// "Give me the balls, beginning with the red one": that one first, and then the others.
+  void do_first(const Nominal& x, DirectiveStep& step) {
+    const auto* first = dependent(form_, x, "Leftmost");
+    const bool is_row =
+      !step.by.empty() || std::ranges::any_of(step.places, [](const DirectivePlace& place) {
+        return is_formation(place.relation);
+      });
+    if (first == nullptr || is_row || step.number != 0 || step.things.size() < 2)
+      return;
+    const auto named = meant_.proxies(meant_.landmarks_of(*first, {}));
+    if (named.size() != 1 || std::erase(step.things, named.front()) == 0)
+      throw Uninterpretable{Reason::nothing_like, first->name};
+    auto alone = step;
+    alone.things = named;
+    steps_.push_back(std::move(alone));
   }
 
   void read_request(const Nominal& x, DirectiveStep& step) {
@@ -224,18 +242,16 @@ private:
   /// "Push the ball towards the cube without touching it": what is to be moved is not what is not
   /// to be touched.
   void keep_others_only() {
-    const auto forbids = [this](const DirectiveStep& x) {
-      return x.action == action_for("forbid");
-    };
-    const auto& actions = vocabulary().meanings().actions;
-    if (steps_.size() < 2 || !actions.contains("forbid"))
+    const bool is_meanwhile = std::ranges::any_of(
+      form_.nominals, [](const Nominal& x) { return feature(x, "Meanwhile") == "true"; });
+    if (!is_meanwhile || steps_.size() != 2 || steps_.back().action != action_for("forbid") ||
+        steps_.back().things != steps_.front().things)
       return;
-    for (const auto& moved : std::vector<DirectiveStep>{steps_})
-      if (!forbids(moved) && !moved.places.empty())
-        for (auto& kept : steps_)
-          if (forbids(kept) && kept.things == moved.things && kept.places.empty())
-            kept.things = moved.places.front().landmarks;
-    std::erase_if(steps_, [&](const DirectiveStep& x) { return forbids(x) && x.things.empty(); });
+    if (const auto& places = steps_.front().places;
+        !places.empty() && !places.front().landmarks.empty())
+      steps_.back().things = places.front().landmarks;
+    else
+      steps_.pop_back();
   }
 
   /// "The ball where the cube is, and the cube where the ball is": they change places.
@@ -509,6 +525,8 @@ private:
                               x.proposition == "how-far-moved" || x.proposition == "where-was";
     const auto meant = tells_itself ? meant_.one_of_like(*patient) : meant_.things(*patient);
     take(meant, *patient, step);
+    if (x.proposition == "how-tall" && is_tower(*patient) && step.things.size() > 1)
+      step.by = as_tower;
     // "How far is the ball from the cube?"
     if (const auto* other = dependent(form_, x, "Counterpart"))
       for (auto& id : meant_.proxies(meant_.landmarks_of(*other, meant.things)))
@@ -559,6 +577,9 @@ private:
     const auto* destination = dependent(form_, x, "Destination");
     if (destination == nullptr)
       return;
+    // Groups of a colour have no place together.
+    if (!is_measure(step.by))
+      throw Uninterpretable{Reason::word, destination->proposition};
     for (const auto& place : places_named(form_, *destination, vocabulary())) {
       if (place.landmark != nullptr)
         throw Uninterpretable{Reason::word, destination->proposition};

@@ -227,6 +227,10 @@ std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& de
     // "Away from the right side", unless it is said how far.
     if (result.landmark == nullptr && result.distance <= 0 && destination.proposition == "from")
       result.relation = part_away_from(result.relation);
+    // "10 cm from the middle" may be anywhere around it.
+    const bool is_towards = destination.proposition == "closer" || destination.proposition == "to";
+    if (result.relation == "centre" && result.distance > 0 && !is_towards)
+      throw Uninterpretable{Reason::word, destination.proposition};
     return {result};
   }
   if (const auto* everywhere = vocabulary.surroundings(*anchor)) {

@@ -245,7 +245,8 @@ Truth Evaluation::compares_with_length(const std::string& id, const Nominal& com
   const auto measured = measure(id,
                                 dimension != nullptr ? dimension->proposition
                                 : anchor != nullptr  ? "distance"
-                                                     : how->dimension,
+                                : how != nullptr     ? how->dimension
+                                                     : "size",
                                 anchor);
   if (anchor != nullptr) {
     const auto others = meant(*anchor);

@@ -4,13 +4,14 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/substitution.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/numerals.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <utility>
 
 namespace castor::communication {
@@ -300,17 +301,17 @@ std::string_view opposite_of(std::string_view side) {
   return directions[static_cast<std::size_t>(known) ^ 1U];
 }
 
-std::optional<int> number_after(std::string_view text, std::string_view prefix) {
+std::optional<double> number_after(std::string_view text, std::string_view prefix) {
   if (!text.starts_with(prefix))
     return std::nullopt;
   text.remove_prefix(prefix.size());
-  int result = 0;
+  double result = 0;
   std::from_chars(text.data(), text.data() + text.size(), result);
   return result;
 }
 
 /// In centimetres: how much further something is to go that went as far as the region says.
-std::optional<int> length_change(const Nominal& region, std::string_view more) {
+std::optional<double> length_change(const Nominal& region, std::string_view more) {
   if (const auto less = number_after(more, "less-"))
     return -*less;
   const auto all = number_after(more, "in-all-");
@@ -336,7 +337,7 @@ std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, 
   auto& region = *find_nominal(request, destination->name);
   if (const auto* landmark = dependent(request, *destination, "Anchor")) {
     if (const auto all = number_after(more, "in-all-")) {
-      set_degree(region, "more", std::to_string(*all));
+      set_degree(region, "more", numeral(*all));
       return request;
     }
     const bool is_changed = landmark->sort == "thing" && change_gap(region, more);
@@ -358,7 +359,7 @@ std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, 
     if (*change < 0)
       side = opposite_of(side);
     region.proposition = "further-" + side;
-    set_degree(region, "more", std::to_string(std::abs(*change)));
+    set_degree(region, "more", numeral(std::abs(*change)));
     return request;
   }
   if (number_after(more, "in-all-"))
@@ -367,10 +368,10 @@ std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, 
     // Without a length it went as far as "further" or "a bit" says.
     side = opposite_of(side);
     const auto length = feature(region, "Centimetres");
-    int number = feature(region, "Degree") == "small" ? 4 : 8;
+    double number = feature(region, "Degree") == "small" ? 4 : 8;
     std::from_chars(length.data(), length.data() + length.size(), number);
     region.proposition = "further-" + side;
-    set_degree(region, "more", std::to_string(std::max(number / 2, 1)));
+    set_degree(region, "more", numeral(number / 2));
     return request;
   }
   region.proposition = "further-" + side;

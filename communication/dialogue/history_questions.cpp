@@ -50,16 +50,30 @@ bool is_number_of_moves(std::string_view word) {
 
 /// Says of a question about moves only when they were made, or why.
 bool may_follow_verb(std::string_view word) {
-  return is_among(word, {"so",        "far",        "already",    "until",   "now",    "up",
-                         "to",        "for",        "that",       "this",    "since",  "we",
-                         "began",     "started",    "the",        "start",   "last",   "first",
-                         "just",      "have",       "had",        "in",      "total",  "today",
-                         "at",        "all",        "before",     "yet",     "of",     "them",
-                         "it",        "me",         "my",         "then",    "there",  "by",
-                         "beginning", "altogether", "during",     "request", "us",     "been",
-                         "recently",  "order",      "sequence",   "ago",     "please", "beginning",
-                         "end",       "moment",     "previously", "earlier", "doing",  "process",
-                         "and",       "where",      "why",        "down",    "up"});
+  return is_among(
+    word,
+    {"so",     "far",        "already", "until",    "now",        "up",      "to",        "for",
+     "that",   "this",       "since",   "we",       "began",      "started", "the",       "start",
+     "last",   "first",      "just",    "have",     "had",        "in",      "total",     "today",
+     "at",     "all",        "before",  "yet",      "of",         "them",    "it",        "me",
+     "my",     "then",       "there",   "by",       "altogether", "during",  "request",   "us",
+     "been",   "recently",   "order",   "sequence", "ago",        "please",  "beginning", "end",
+     "moment", "previously", "earlier", "doing",    "process",    "and",     "where",     "why"});
+}
+
+/// Whether one of the first words stands before one of the others: "for that", "by me".
+bool says_pair(WordSpan words, std::initializer_list<std::string_view> first,
+               std::initializer_list<std::string_view> next) {
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+    if (is_among(words[i], first) && is_among(words[i + 1], next))
+      return true;
+  return false;
+}
+
+/// "For that", "by that", "since the last request".
+bool is_of_last_request(WordSpan words) {
+  return says(words, {"doing", "process", "request"}) ||
+         says_pair(words, {"for", "by"}, {"that", "this", "it"});
 }
 
 /// "Can you tell me", "describe in one sentence".
@@ -131,9 +145,12 @@ question_about_moves(const std::vector<std::string>& words) {
     return std::nullopt;
   const auto begin = parts->before.front();
   const auto about = parts->before.subspan(1);
-  const bool is_last = says(parts->after, {"last", "just"}) || says(asked, {"just"});
+  // What somebody else has moved it does not know.
+  if (says_pair(parts->after, {"by"}, {"me", "us", "them"}))
+    return std::nullopt;
+  const bool is_last =
+    (says(parts->after, {"last"}) && !is_of_last_request(parts->after)) || says(asked, {"just"});
   const auto in_words = [](std::string_view text) { return words_of(text); };
-  // "What was the last thing you moved" is known.
   if (begin == "how" && (about.empty() || !is_among(about[0], {"many", "often"})))
     return std::nullopt;
   if (begin == "in")
@@ -142,8 +159,11 @@ question_about_moves(const std::vector<std::string>& words) {
              : std::nullopt;
   const bool is_about_moves =
     about.size() > 1 && about[0] == "many" && is_number_of_moves(about[1]);
+  const bool is_made = is_move(parts->verb) || is_deed(parts->verb) ||
+                       is_among(parts->verb, {"make", "made", "perform", "performed"});
   if (is_about_moves || (!about.empty() && about[0] == "often"))
-    return in_words("how many moves have you made");
+    return is_made && !parts->is_denied ? std::optional{in_words("how many moves have you made")}
+                                        : std::nullopt;
   const auto kind = std::ranges::find_if(about, is_kind);
   const bool is_of_things = std::ranges::all_of(
     about, [](const auto& x) { return x == "many" || is_thing(x) || is_kind(x) || x == ","; });
@@ -154,7 +174,7 @@ question_about_moves(const std::vector<std::string>& words) {
            : is_last || parts->after.empty()
              ? std::optional{in_words("what did you do last")}
              : std::optional{in_words("in which order did you move them")};
-  if (is_choice(parts->verb))
+  if (is_choice(parts->verb) && !parts->is_denied)
     return begin != "which" ? std::nullopt : std::optional{in_words("which one did you move last")};
   if (!is_move(parts->verb))
     return std::nullopt;
@@ -165,7 +185,7 @@ question_about_moves(const std::vector<std::string>& words) {
   const auto things = kind == about.end() ? std::string{"things"} : *kind;
   if (parts->is_denied)
     return in_words("which " + things + " have you not moved");
-  if (kind == about.end() && says(parts->after, {"for", "doing", "process", "by"}))
+  if (kind == about.end() && is_of_last_request(parts->after))
     return in_words("which things have you moved for that");
   return in_words("which " + things + " have you moved");
 }

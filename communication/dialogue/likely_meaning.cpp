@@ -297,7 +297,7 @@ private:
   /// What makes a request of it, or another matter.
   bool cannot_mean(const Examples::Match& match) {
     const auto& meaning = match.meaning;
-    if (says_more_than(meaning))
+    if (written(meaning) != remark && written(meaning) != impossible && says_more_than(meaning))
       return true;
     if (may_begin_question(meaning.front()))
       return false;

@@ -91,14 +91,6 @@ std::optional<double> unit(std::string_view word) {
   return std::nullopt;
 }
 
-/// At most two decimals.
-std::string numeral(double value) {
-  const auto rounded = std::round(value * 100) / 100;
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), rounded).ptr;
-  return {text.data(), end};
-}
-
 bool says_roughly(std::string_view word) {
   return is_among(word, {"about", "roughly", "approximately", "around", "exactly", "nearly",
                          "almost", "some", "circa", "precisely"});
@@ -111,6 +103,13 @@ bool is_numeral(std::string_view word) {
   const auto* end = word.data() + word.size();
   return !word.empty() && std::isdigit(static_cast<unsigned char>(word.front())) != 0 &&
          std::from_chars(word.data(), end, value).ptr == end;
+}
+
+std::string numeral(double value) {
+  const auto rounded = std::round(value * 100) / 100;
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), rounded).ptr;
+  return {text.data(), end};
 }
 
 double metres_of_centimetres(std::string_view number) {

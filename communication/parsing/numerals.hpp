@@ -12,6 +12,9 @@ inline constexpr std::string_view any_numeral = "0.0";
 /// Whether the word is a number in digits: "7", "5.5".
 bool is_numeral(std::string_view word);
 
+/// A number in digits, with two decimals at most.
+std::string numeral(double value);
+
 /// A number of centimetres in metres; 0 for what is no number.
 double metres_of_centimetres(std::string_view number);
 

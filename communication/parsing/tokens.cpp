@@ -81,7 +81,7 @@ constexpr std::array<std::array<std::string_view, 3>, 49> hasty{{{"isnt", "is", 
 /// "5cm", "10mm": where the unit begins; 0 if the word is no number with one.
 std::size_t begin_of_unit(std::string_view word) {
   const auto unit = std::min(word.find_first_not_of("0123456789."), word.size());
-  constexpr std::array units{"cm", "mm", "m", "in", "inch", "inches", "centimetres", "centimeters"};
+  constexpr std::array units{"cm", "mm", "m", "inch", "inches", "centimetres", "centimeters"};
   return std::ranges::find(units, word.substr(unit)) == units.end() ? 0 : unit;
 }
 

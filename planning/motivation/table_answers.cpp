@@ -13,15 +13,6 @@ namespace castor::planning {
 
 namespace {
 
-/// A camera that looks down on a cube or a ball sees its width better than its height, which is as
-/// large; metres.
-double height_of(const TableThing& x) {
-  const auto shape = x.qualities.find("shape");
-  const bool is_regular =
-    shape != x.qualities.end() && (shape->second == "cube" || shape->second == "sphere");
-  return is_regular && x.height > 0 && x.width() > 0 ? x.width() : x.height;
-}
-
 TableGoal answer(std::string words) {
   return {TableWish::answer, {}, {}, 0, std::move(words)};
 }
@@ -29,12 +20,6 @@ TableGoal answer(std::string words) {
 std::string centimetres(double metres) {
   const auto number = std::lround(100 * metres);
   return number == 1 ? "1 centimetre" : std::to_string(number) + " centimetres";
-}
-
-/// To half a centimetre: "5.5 centimetres".
-std::string fine_centimetres(double metres) {
-  const auto halves = std::lround(200 * metres);
-  return std::to_string(halves / 2) + (halves % 2 == 0 ? "" : ".5") + " centimetres";
 }
 
 double distance(const TableThing& a, const TableThing& b) {
@@ -233,28 +218,25 @@ TableGoal TableGoalMaker::extreme_pair(bool is_closest) const {
   return result;
 }
 
-/// "How high is the tower?": from the table to the top of the highest thing. Nothing if the things
-/// are not all stacked.
-std::optional<double> TableGoalMaker::height_of_stack() const {
+/// "How high is the tower?": from the table to its top.
+TableGoal TableGoalMaker::height_of_tower() const {
   double height = 0;
-  std::size_t below = 0;
   for (const auto* x : things_) {
-    const bool is_above = std::ranges::any_of(
-      things_, [&](const auto* y) { return y != x && x->on == y->object && !x->is_held; });
-    below += is_above ? 0 : 1;
-    height += height_of(*x);
+    if (x->height <= 0)
+      return answer("I do not know how high " + x->words + " is.");
+    height += x->height;
   }
-  return things_.size() > 1 && below == 1 ? std::optional{height} : std::nullopt;
+  return answer("It is about " + fine_centimetres(height) + " high: " + listed(things_) + '.');
 }
 
 /// "How wide is the cylinder compared with the cube?"
 TableGoal TableGoalMaker::how_large(bool is_height) const {
-  if (const auto stacked = is_height ? height_of_stack() : std::nullopt)
-    return answer("It is about " + fine_centimetres(*stacked) + " high: " + listed(things_) + '.');
+  if (is_height && step_.by == communication::as_tower)
+    return height_of_tower();
   std::string result;
   std::vector<double> sizes;
   for (const auto* x : things_) {
-    const double size = is_height ? height_of(*x) : x->width();
+    const double size = is_height ? x->height : x->width();
     if (size <= 0)
       return answer("I do not know how large " + x->words + " is.");
     sizes.push_back(size);

@@ -63,7 +63,7 @@ private:
   TableGoal how_far() const;
   TableGoal extreme_pair(bool is_closest) const;
   TableGoal how_large(bool is_height) const;
-  std::optional<double> height_of_stack() const;
+  TableGoal height_of_tower() const;
   TableGoal list_in_order() const;
   TableGoal displaced() const;
   TableGoal touching() const;

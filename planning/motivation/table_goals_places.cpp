@@ -69,7 +69,7 @@ Shifted further_along(const std::vector<communication::DirectivePlace>& places) 
     result.y += length * shift->y;
     result.words += result.words.empty() ? "" : " and";
     if (place.distance > 0)
-      result.words += ' ' + std::to_string(std::lround(100 * place.distance)) + " centimetres";
+      result.words += ' ' + fine_centimetres(place.distance);
     result.words += ' ' + std::string{shift->words};
   }
   return result;

@@ -77,7 +77,7 @@ TableGoal TableGoalMaker::push() {
     push_distance_ = std::max(push_distance_, distance);
   }
   const auto words =
-    (place.distance > 0 ? ' ' + std::to_string(std::lround(100 * place.distance)) + " centimetres"
+    (place.distance > 0 ? ' ' + fine_centimetres(place.distance)
                         : std::string{is_little(place.relation) ? " a little" : ""}) +
     ' ' + std::string{way->words};
   return goal("push " + listed(things_) + words + but_what_is_kept(),

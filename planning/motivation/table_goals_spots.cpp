@@ -33,10 +33,6 @@ constexpr std::pair<std::string_view, std::string_view> measured_words[] = {
   {"back", "behind"},
   {"near", "away from"}};
 
-std::string centimetres(double metres) {
-  return std::to_string(std::lround(100 * metres)) + " centimetres";
-}
-
 } // namespace
 
 /// \returns why it is impossible
@@ -65,7 +61,7 @@ std::optional<std::string> TableGoalMaker::put_at_spot(const DirectivePlace& pla
     return "I hold " + x.words + ": tell me where to put it.";
   std::string words;
   if (place.distance > 0)
-    words += ' ' + centimetres(place.distance);
+    words += ' ' + fine_centimetres(place.distance);
   words += ' ' + std::string{words_for(measured_words, place.relation)};
   if (!landmarks.empty())
     words += ' ' + listed(landmarks);
@@ -142,8 +138,9 @@ TableGoal TableGoalMaker::sort_in_row() {
                                            : std::max(x->height, x->width());
     return is_down ? -measure : measure;
   });
-  const auto part = std::ranges::find_if(
-    step_.places, [](const DirectivePlace& x) { return !x.relation.starts_with("in-"); });
+  const auto part = std::ranges::find_if(step_.places, [](const DirectivePlace& x) {
+    return x.relation != "table" && !words_for(part_words, x.relation).empty();
+  });
   auto result = arrange_at("in-row-as-named", part == step_.places.end() ? "" : part->relation);
   if (result.wish != TableWish::goal)
     return result;

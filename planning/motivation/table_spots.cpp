@@ -98,8 +98,7 @@ std::vector<TablePoint> candidates(std::string_view relation, double gap, const 
     return along(middle, line, 2 * table_half_width);
   if (landmarks.empty())
     return at_part(relation, gap, thing);
-  const double beside =
-    landmarks.empty() ? 0 : landmarks.front()->radius + thing.radius + std::max(gap, 0.0);
+  const double beside = landmarks.front()->radius + thing.radius + std::max(gap, 0.0);
   if (relation == "other-side") {
     const auto away = direction_from(place_of(thing), first);
     std::vector<TablePoint> result;

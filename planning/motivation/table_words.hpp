@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -104,6 +105,12 @@ std::string_view words_for(const Table& table, std::string_view key) {
     if (name == key)
       return value;
   return {};
+}
+
+/// To half a centimetre: "5.5 centimetres".
+inline std::string fine_centimetres(double metres) {
+  const auto halves = std::lround(200 * metres);
+  return std::to_string(halves / 2) + (halves % 2 == 0 ? "" : ".5") + " centimetres";
 }
 
 } // namespace castor::planning

@@ -36,6 +36,7 @@ RememberedTable TableMemory::remembered() const {
     result.chosen.push_back({waypoint, wanted});
   result.done.assign(done_.begin(), done_.end());
   result.next_waypoint = next_waypoint_;
+  result.because = because_;
   result.moves = history_.moves;
   for (const auto& move : history_.remembered)
     result.last_moves.push_back({move.object, move.words, move.because});
@@ -48,6 +49,7 @@ void TableMemory::recall(const RememberedTable& x) {
   chosen_.clear();
   done_ = {x.done.begin(), x.done.end()};
   next_waypoint_ = x.next_waypoint;
+  because_ = x.because;
   history_ = {x.moves, {}};
   for (const auto& move : x.last_moves)
     history_.remembered.push_back({move.thing, move.words, move.because});

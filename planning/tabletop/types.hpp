@@ -124,6 +124,8 @@ struct RememberedTable {
   /// Number of moves that were made, and the last of them in their order.
   std::uint64_t moves = 0;
   std::vector<RememberedMove> last_moves = {};
+  /// What the goal that has begun is done for.
+  std::string because = {};
 
   friend bool operator==(const RememberedTable&, const RememberedTable&) = default;
 };
@@ -179,6 +181,7 @@ CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, heigh
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
 CASTOR_REFLECT(RememberedMove, thing, words, because)
-CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint, moves, last_moves)
+CASTOR_REFLECT(RememberedTable, things, waypoints, chosen, done, next_waypoint, moves, last_moves,
+               because)
 
 } // namespace castor::planning

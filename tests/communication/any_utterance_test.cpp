@@ -18,7 +18,11 @@ namespace {
 
 using binding::FeatureKind;
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::size_t utterances = 300;
+#else
 constexpr std::size_t utterances = 2000;
+#endif
 
 class Utterances {
 public:

@@ -30,8 +30,9 @@ TEST(HistoryQuestions, AskWhatWasMoved) {
 }
 
 TEST(HistoryQuestions, AskWhatWasMovedForTheLastRequest) {
-  for (const auto* said : {"How many objects did you have to move for that?",
-                           "which things were moved by that?", "What have you moved in doing so?"})
+  for (const auto* said :
+       {"How many objects did you have to move for that?", "which things were moved by that?",
+        "What have you moved in doing so?", "which things have you moved since the last request"})
     EXPECT_EQ(question(said), "which things have you moved for that") << said;
 }
 
@@ -54,7 +55,8 @@ TEST(HistoryQuestions, AskNothingElse) {
        {"what have you put on the cube?", "which thing is on the left?", "what do you see?",
         "how many balls are there?", "where did you put the ball?", "move the ball",
         "what did you do with the ball?", "which ball did you see?", "how far have you moved it?",
-        "what did you say?", "", "which"})
+        "what did you say?", "which things were moved by us?", "which one did you not choose?",
+        "how many times did you say that?", "", "which"})
     EXPECT_EQ(question(said), "") << said;
 }
 

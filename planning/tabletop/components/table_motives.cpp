@@ -109,12 +109,14 @@ class TableMotives final : public HearsRequests {
       reply(referents.move, MotiveReply::impossible,
             std::string{"I do not know how to do that. "} + what_an_arm_can_do);
     std::vector<RequestedStep> steps;
+    bool waits_first = false;
     for (const auto& x : referents.steps)
       if (x.action == "Stop")
         end(referents.move);
-      else if (x.action == "Wait" && steps.empty())
+      else if (x.action == "Wait" && steps.empty()) {
         pause_arm(referents.move);
-      else if (x.action == "Wait")
+        waits_first = true;
+      } else if (x.action == "Wait")
         debug("after the last step it waits anyway"); // "Take the ball and wait."
       else if (x.action == "GoOn")
         resume_arm(referents.move, referents.steps.size() == 1);
@@ -134,8 +136,6 @@ class TableMotives final : public HearsRequests {
     withdraw(queue_.add(steps, referents));
     // What is to be done now ends the waiting: "Wait. - Give me the ball." "Wait, and then give me
     // the ball" does not.
-    const bool waits_first =
-      std::ranges::any_of(referents.steps, [](const auto& x) { return x.action == "Wait"; });
     if (!has_to_wait && !waits_first && queue_.resume())
       perform(manipulation_, manipulation::ResumeArm{}).wait(patience_.get());
     if (has_to_wait)
@@ -154,7 +154,7 @@ class TableMotives final : public HearsRequests {
       end(move);
     const auto told = goal_of({step, true});
     // Nothing has to be said of what was not forbidden.
-    if (step.by == communication::implied && told.things.empty())
+    if (step.by == communication::by_the_way && told.things.empty())
       return;
     reply(move, told.things.empty() ? MotiveReply::impossible : MotiveReply::done, told.refusal);
   }
