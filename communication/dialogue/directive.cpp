@@ -94,7 +94,7 @@ private:
     }
     check_clauses(x);
     DirectiveStep step;
-    if (is_negated(x) || x.proposition == "forbid") {
+    if (forbids(x)) {
       if (!read_prohibition(x, step))
         return;
       was_negated_ = is_negated(x);

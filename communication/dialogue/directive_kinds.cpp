@@ -38,6 +38,10 @@ bool asks_for_ability(const LogicalForm& form) {
          dependent(form, *root, "Wh-Restr") == nullptr;
 }
 
+bool forbids(const Nominal& action) {
+  return is_negated(action) || action.proposition == "forbid";
+}
+
 bool is_correction(const LogicalForm& said) {
   const auto whole = part_of(said, said.root);
   return std::ranges::any_of(whole.nominals,

@@ -7,6 +7,16 @@
 
 namespace castor::communication {
 
+namespace {
+
+/// Whether a pronoun may stand for a phrase of the same sentence.
+bool may_stand_for(const Nominal& pronoun, const Nominal* phrase) {
+  return phrase != nullptr && phrase->sort == "thing" && is_definite(*phrase) &&
+         !is_pronoun(*phrase) && !is_deictic(pronoun) && is_plural(*phrase) == is_plural(pronoun);
+}
+
+} // namespace
+
 // -- what was spoken of before
 
 Evaluation::Things Evaluation::antecedents_of(const std::string& name) {
@@ -99,8 +109,7 @@ const Nominal* Evaluation::patient_described_by(const Nominal& pronoun) {
   const auto* others = patient != nullptr && patient->sort == "conjunction" ? patient : nullptr;
   if (others != nullptr)
     patient = dependent(form_, *others, "First");
-  if (patient == nullptr || patient->sort != "thing" || is_pronoun(*patient) ||
-      !is_definite(*patient) || is_deictic(pronoun) || is_plural(*patient) != is_plural(pronoun))
+  if (!may_stand_for(pronoun, patient))
     return nullptr;
   const auto* destination = dependent(form_, *root, "Destination");
   const auto* other = others != nullptr        ? dependent(form_, *others, "Next")
@@ -119,11 +128,9 @@ const Nominal* Evaluation::phrase_in_request(const Nominal& pronoun) {
   const auto* root = find_nominal(form_, form_.root);
   const auto* condition = dependent(form_, *root, "Condition");
   const auto* subject = condition == nullptr ? nullptr : dependent(form_, *condition, "Cop-Restr");
-  if (subject == nullptr || subject->sort != "thing" || is_pronoun(*subject) ||
-      !is_definite(*subject) || is_deictic(pronoun) || is_plural(*subject) != is_plural(pronoun) ||
-      find_nominal(part_of(form_, condition->name), pronoun.name) != nullptr)
-    return nullptr;
-  return subject;
+  const bool is_outside =
+    condition != nullptr && find_nominal(part_of(form_, condition->name), pronoun.name) == nullptr;
+  return is_outside && may_stand_for(pronoun, subject) ? subject : nullptr;
 }
 
 /// "Put the cube on the box, and the ball beside them": the cube and the box. Nothing if no several

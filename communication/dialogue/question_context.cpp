@@ -123,16 +123,16 @@ bool is_place(const LogicalForm& fragment) {
 /// not what was forbidden.
 LogicalForm without_prohibitions(LogicalForm form) {
   bool is_changed = false;
-  const auto forbids = [](const Nominal* x) {
-    return x != nullptr && x->sort == "action" && (is_negated(*x) || x->proposition == "forbid");
+  const auto is_prohibition = [](const Nominal* x) {
+    return x != nullptr && x->sort == "action" && forbids(*x);
   };
   for (const auto* root = find_nominal(form, form.root);
        root != nullptr && root->sort == "conjunction"; root = find_nominal(form, form.root)) {
     const auto* first = dependent(form, *root, "First");
     const auto* next = dependent(form, *root, "Next");
-    if (first == nullptr || next == nullptr || forbids(first) == forbids(next))
+    if (first == nullptr || next == nullptr || is_prohibition(first) == is_prohibition(next))
       break;
-    form = part_of(form, forbids(first) ? next->name : first->name);
+    form = part_of(form, is_prohibition(first) ? next->name : first->name);
     is_changed = true;
   }
   if (auto* root = find_nominal(form, form.root); is_changed && root != nullptr)

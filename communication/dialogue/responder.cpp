@@ -25,7 +25,7 @@ bool forbids_place(const LogicalForm& form, const Nominal& request) {
   const auto* patient = dependent(form, request, "Patient");
   if (request.sort != "action" || patient == nullptr)
     return false;
-  const bool is_forbidden = is_negated(request) || request.proposition == "forbid";
+  const bool is_forbidden = forbids(request);
   if (patient->sort == "place")
     return is_forbidden;
   const auto* destination = dependent(form, request, "Destination");

@@ -66,7 +66,7 @@ bool is_prohibition(const PackedLogicalForm& form, const Lexicon& lexicon) {
   const auto move = move_of(form, lexicon);
   const auto* root = find_nominal(move.content, move.content.root);
   return move.type == DialogueMoveType::action_directive && root != nullptr &&
-         root->sort == "action" && (is_negated(*root) || root->proposition == "forbid");
+         root->sort == "action" && forbids(*root);
 }
 
 std::optional<LogicalForm> thing_said(const PackedLogicalForm& form) {

@@ -76,8 +76,8 @@ Shifted further_along(const std::vector<communication::DirectivePlace>& places) 
 }
 
 bool is_measured_place(const communication::DirectivePlace& x) {
-  const bool is_of_table = x.landmarks.empty() && landmarks_needed(x.relation) == 0;
-  return is_measured(x.relation, x.landmarks.empty() && !is_of_table ? 0 : x.distance);
+  const bool has_landmarks = !x.landmarks.empty() || landmarks_needed(x.relation) == 0;
+  return is_measured(x.relation, has_landmarks ? x.distance : 0);
 }
 
 } // namespace
