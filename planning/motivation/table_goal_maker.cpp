@@ -195,9 +195,23 @@ TableGoal TableGoalMaker::each(const std::string& predicate, const std::string& 
     return refusal("I can hold one thing only.");
   for (const auto* x : things_)
     facts_.push_back('(' + predicate + ' ' + x->object + ')');
-  return goal(verb + ' ' + listed(things_), predicate == "held"
-                                              ? "I hold " + listed(things_) + " now"
-                                              : "I have pushed " + listed(things_));
+  return goal(done_before_taking() + verb + ' ' + listed(things_),
+              predicate == "held" ? "I hold " + listed(things_) + " now"
+                                  : "I have pushed " + listed(things_));
+}
+
+/// What people did not ask for, but will see: "put down the ball and ".
+std::string TableGoalMaker::done_before_taking() const {
+  std::string result;
+  for (const auto& x : table_) {
+    const bool is_taken = std::ranges::find(things_, &x) != things_.end();
+    const auto below = std::ranges::find(things_, x.on, [](const auto* y) { return y->object; });
+    if (x.is_held && !is_taken)
+      result += "put down " + x.words + " and ";
+    else if (!x.is_held && !x.on.empty() && below != things_.end())
+      result += "take " + x.words + " off " + (*below)->words + " and ";
+  }
+  return result;
 }
 
 TableGoal TableGoalMaker::give() {
@@ -222,9 +236,13 @@ void TableGoalMaker::hold_held() {
 TableGoal TableGoalMaker::put_down() {
   if (step_.things.empty())
     hold_held();
-  std::erase_if(things_, [](const auto* x) { return !x->is_held; });
   if (things_.empty())
-    return refusal(step_.things.empty() ? "I do not hold anything." : "I do not hold that.");
+    return refusal("I do not hold anything.");
+  const auto asked = things_;
+  std::erase_if(things_, [](const auto* x) { return !x->is_held; });
+  // Whatever is asked for besides may still be done.
+  if (things_.empty())
+    return {TableWish::answer, {}, {}, 0, "I do not hold " + listed(asked) + '.'};
   for (const auto* x : things_)
     facts_.push_back(in_part(*x, "table"));
   return goal("put down " + listed(things_), "I have put down " + listed(things_));
@@ -289,6 +307,9 @@ TableGoal TableGoalMaker::sort() {
     return sort_in_row();
   if (groups.size() < 2)
     return refusal("They are all of the same " + step_.by + '.');
+  if (groups.size() == things_.size())
+    if (auto row = sort_one_of_each(); row.wish == TableWish::goal)
+      return row;
   std::vector<std::pair<double, Things>> from_left;
   for (auto& [value, group] : groups) {
     double sum = 0;
@@ -312,6 +333,16 @@ TableGoal TableGoalMaker::sort() {
     stand_at(std::move(spots));
   return goal("sort the things by " + step_.by + but_what_is_kept(),
               "the things are sorted by " + step_.by + " now" + but_what_is_kept());
+}
+
+/// Things of which no two belong together stand in a row, so that it is seen that all was looked
+/// at.
+TableGoal TableGoalMaker::sort_one_of_each() {
+  auto result = arrange("in-row");
+  const auto own = ": each has a " + step_.by + " of its own";
+  result.words = "sort the things by " + step_.by + but_what_is_kept() + own;
+  result.result = sentence(listed(things_) + " are in a row now" + but_what_is_kept() + own);
+  return result;
 }
 
 /// Where there is no room for groups that stand together.

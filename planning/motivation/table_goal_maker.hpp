@@ -38,12 +38,14 @@ private:
   TableGoal handle();
   void choose();
   TableGoal each(const std::string& predicate, const std::string& verb);
+  std::string done_before_taking() const;
   TableGoal give();
   void hold_held();
   TableGoal put_down();
   TableGoal swap();
   TableGoal clear();
   TableGoal sort();
+  TableGoal sort_one_of_each();
   void stand_in_strips(const std::vector<Things>& groups);
 
   // -- pushing (table_goals_push.cpp)
@@ -86,10 +88,12 @@ private:
   TableGoal put_where_another_is(const DirectivePlace& place, const std::string& verb);
   std::optional<std::string> put_further(const Shifted& way, std::string& where);
   std::optional<std::string> put_in_part(const DirectivePlace& place, std::string& where);
+  const TableThing* thing_in_middle() const;
   std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_on(const Things& landmarks) const;
   std::optional<std::string> beyond_reach(const TableThing& x, const TableThing& other) const;
   Things without_upper_ones(Things landmarks) const;
+  static Things without_lower_ones(const Things& landmarks);
   std::optional<TableSpot> spot_nearly_at(const TableThing& x, const TableThing& other) const;
 
   // -- measured places (table_goals_spots.cpp)

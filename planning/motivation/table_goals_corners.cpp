@@ -179,10 +179,10 @@ std::optional<TableSpot> TableGoalMaker::spot_as_near_to(const TableThing& x,
   return is_there ? std::optional{spot_for(x, *found)} : std::nullopt;
 }
 
-/// Where the arm says that it can put the thing: nearest to the edge, and of such places the
-/// nearest to where it is. Nothing if it says so of none, or nobody says where it can.
-/// \param edge such as "back-edge"; nothing for other parts
-/// \param taken where others are put
+/// Where it is, if that is at the edge; else where the arm says that it can put the thing: nearest
+/// to the edge, and of such places the nearest to where it is. Nothing if it says so of none, or
+/// nobody says where it can. \param edge such as "back-edge"; nothing for other parts \param taken
+/// where others are put
 std::optional<TableGoalMaker::EdgeSpot>
 TableGoalMaker::spot_at_edge(const TableThing& x, std::string_view edge,
                              std::span<const EdgeSpot> taken) const {
@@ -198,7 +198,7 @@ TableGoalMaker::spot_at_edge(const TableThing& x, std::string_view edge,
   const double end = (is_side ? table_half_depth : table_half_width) - x.radius;
   const double here = is_side ? x.y : x.x;
   if (outermost - sign * (is_side ? x.x : x.y) < step)
-    return std::nullopt;
+    return EdgeSpot{{x.waypoint, x.x, x.y}, true, x.radius};
   struct Candidate {
     TablePoint at;
     double gap = 0;
@@ -242,15 +242,29 @@ TableGoalMaker::spot_at_edge(const TableThing& x, std::string_view edge,
   return std::nullopt;
 }
 
-/// For each of the things; none if there is not one for all.
+/// For each of the things; none if there is not one for all. Where others have left nothing to one,
+/// that one chooses first.
 std::vector<TableGoalMaker::EdgeSpot> TableGoalMaker::spots_at_edge(std::string_view edge) const {
-  std::vector<EdgeSpot> result;
-  for (const auto* x : things_)
-    if (auto spot = spot_at_edge(*x, edge, result))
-      result.push_back(std::move(*spot));
-    else
+  auto order = things_;
+  for (std::size_t attempt = 0; attempt < things_.size(); ++attempt) {
+    std::vector<EdgeSpot> spots;
+    for (const auto* x : order) {
+      auto spot = spot_at_edge(*x, edge, spots);
+      if (!spot)
+        break;
+      spots.push_back(std::move(*spot));
+    }
+    if (spots.size() == order.size()) {
+      std::vector<EdgeSpot> result;
+      for (const auto* x : things_)
+        result.push_back(spots[std::ranges::find(order, x) - order.begin()]);
+      return result;
+    }
+    if (spots.empty())
       return {};
-  return result;
+    std::rotate(order.begin(), order.begin() + spots.size(), order.begin() + spots.size() + 1);
+  }
+  return {};
 }
 
 /// Several things go into one corner: the one nearest to them that is reached, if any is.

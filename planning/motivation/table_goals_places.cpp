@@ -263,7 +263,8 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
                        : " as near to " + std::string{wanted.substr(at.size())} + " as I reach";
     for (std::size_t i = 0; i < things_.size(); ++i) {
       facts_.push_back(at_waypoint(*things_[i], spots[i].spot.name));
-      spots_.push_back(spots[i].spot);
+      if (spots[i].spot.name != things_[i]->waypoint)
+        spots_.push_back(spots[i].spot);
     }
     return std::nullopt;
   }
@@ -276,7 +277,9 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
   if (nearest || !is_in_corner) {
     constexpr std::string_view in = "in ";
     where += " as near to " + std::string{wanted.substr(in.size())} + " as I reach";
-  } else
+  } else if (const auto* other = part == "centre" ? thing_in_middle() : nullptr)
+    where += " as near to the middle as there is room beside " + other->words;
+  else
     where += ' ' + std::string{wanted};
   if (nearest) {
     facts_.push_back(at_waypoint(*things_.front(), nearest->name));
@@ -293,6 +296,19 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
   return std::nullopt;
 }
 
+/// What leaves no room in the very middle for the one thing that is put there; null if there is
+/// none.
+const TableThing* TableGoalMaker::thing_in_middle() const {
+  if (things_.size() != 1)
+    return nullptr;
+  const auto is_in_way = [&](const TableThing& other) {
+    return &other != things_.front() && !other.is_held && other.on.empty() &&
+           gap_between(*things_.front(), {}, other, place_of(other)) < 0;
+  };
+  const auto found = std::ranges::find_if(table_, is_in_way);
+  return found == table_.end() ? nullptr : &*found;
+}
+
 std::optional<std::string> TableGoalMaker::put_at_landmarks(const DirectivePlace& place,
                                                             std::string& where) {
   const auto* known = std::ranges::find(relation_words, place.relation, &RelationWords::relation);
@@ -304,6 +320,8 @@ std::optional<std::string> TableGoalMaker::put_at_landmarks(const DirectivePlace
     if (landmarks.back() == nullptr)
       return "I do not see all of that any more.";
   }
+  if (known->predicate == "on")
+    landmarks = without_lower_ones(landmarks);
   for (const auto* x : things_)
     if (std::ranges::find(landmarks, x) != landmarks.end())
       return "I cannot put " + x->words + ' ' + std::string{known->words} + " itself.";
@@ -341,6 +359,15 @@ TableGoalMaker::Things TableGoalMaker::without_upper_ones(Things landmarks) cons
     if (std::ranges::find(result, x) == result.end())
       result.push_back(x);
   }
+  return result;
+}
+
+/// "On both of them", where one stands on the other: on the upper one.
+TableGoalMaker::Things TableGoalMaker::without_lower_ones(const Things& landmarks) {
+  Things result;
+  for (const auto* x : landmarks)
+    if (std::ranges::none_of(landmarks, [&](const auto* y) { return y->on == x->object; }))
+      result.push_back(x);
   return result;
 }
 

@@ -91,12 +91,18 @@ Address RequestQueue::add(const std::vector<RequestedStep>& steps,
                           const communication::MoveReferents& said) {
   auto& waiting = steps_.waiting;
   Address unwanted;
+  std::optional<RequestedStep> back;
   if (said.corrects && !steps.empty() && moved_other_than(steps.front()))
-    waiting.push_back(put_back_before(steps.front()));
+    back = put_back_before(steps.front());
   else if (said.corrects)
     unwanted = drop_last();
+  if (back)
+    waiting.push_back(*back);
   if (!said.comes_first) {
-    waiting.insert(waiting.end(), steps.begin(), steps.end());
+    // "I meant the cube. Put the ball back": the correction does that.
+    std::ranges::copy_if(steps, std::back_inserter(waiting), [&](const RequestedStep& x) {
+      return !back || x.what.action != back->what.action || x.what.things != back->what.things;
+    });
     return unwanted;
   }
   if (is_busy()) {
@@ -137,15 +143,34 @@ const RequestedStep* RequestQueue::next() {
   return &steps_.current;
 }
 
-void RequestQueue::begin(const Address& motive, std::string result) {
+void RequestQueue::begin(const Address& motive, std::string result,
+                         std::vector<std::string> chosen) {
   steps_.motive = motive;
   steps_.result = std::move(result);
+  steps_.chosen = std::move(chosen);
   steps_.given_up.clear();
   steps_.stopped.clear();
 }
 
 void RequestQueue::done() {
   steps_.motive = {};
+}
+
+bool RequestQueue::try_again(bool has_begun) {
+  auto again = steps_.current;
+  auto& things = again.what.things;
+  if (again.what.number > 0) {
+    const auto tried = std::erase_if(things, [&](const std::string& x) {
+      return std::ranges::find(steps_.chosen, x) != steps_.chosen.end();
+    });
+    if (tried == 0 || things.size() < static_cast<std::size_t>(again.what.number))
+      return false;
+  } else if (!has_begun || again.was_begun || again.what.action != "Put" || things.size() < 2)
+    return false;
+  again.was_begun = true;
+  steps_.motive = {};
+  steps_.waiting.insert(steps_.waiting.begin(), std::move(again));
+  return true;
 }
 
 bool RequestQueue::give_up(bool undoes) {

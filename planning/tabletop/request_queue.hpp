@@ -44,9 +44,14 @@ public:
   /// none.
   const RequestedStep* next();
   /// The current step has a motive. @param result what to say when it is done
-  void begin(const Address& motive, std::string result);
+  /// @param chosen proxies of the things with which it is done
+  void begin(const Address& motive, std::string result, std::vector<std::string> chosen = {});
   /// The current step is done; `next` has the one after it.
   void done();
+  /// The current step has failed. Of "one of the balls" another one is next, if there is one; where
+  /// several things are put somewhere and some are there, the others are tried once more, as things
+  /// are now. \returns whether it is tried again
+  bool try_again(bool has_begun);
   /// The current step cannot be done: nor are those of its request after it that depend on it, by
   /// what they are about.
   /// @param undoes whether what was done of it is undone next

@@ -144,6 +144,8 @@ struct RequestedStep {
   communication::DirectiveStep what;
   /// The utterance that asks for it, if the move only agrees to that.
   std::optional<EntryPointer<communication::PhonString>> agrees_to = {};
+  /// It was begun before, and could be done in part only.
+  bool was_begun = false;
 
   friend bool operator==(const RequestedStep&, const RequestedStep&) = default;
 };
@@ -157,6 +159,8 @@ struct RequestedSteps {
   RequestedStep current;
   Address motive;
   std::string result;
+  /// Proxies of the things with which it is done: of "one of the balls" the one that was chosen.
+  std::vector<std::string> chosen = {};
   /// Those of the request that could not be done last, until another step is begun.
   std::vector<RequestedStep> given_up;
   /// Those that were not done yet when people said "stop", until another step is begun.
@@ -172,8 +176,9 @@ inline constexpr const char* requested_steps = "requested steps";
 CASTOR_REFLECT(TableProblem, reason, help, has_begun)
 CASTOR_REFLECT(TableGoalRequest, step, begins, because)
 CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result, things, is_impossible)
-CASTOR_REFLECT(RequestedStep, move, what, agrees_to)
-CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, given_up, stopped, is_paused)
+CASTOR_REFLECT(RequestedStep, move, what, agrees_to, was_begun)
+CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, chosen, given_up, stopped,
+               is_paused)
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
                waypoint_before, is_held, on, former_proxies, waypoint_before_goal,

@@ -98,7 +98,7 @@ class TableMotives final : public HearsRequests {
                                                     {.timeout = patience_.get()});
     } catch (const WorkingMemoryException& e) {
       warning("{}", e.what());
-      return {"I do not see what is on the table now.", {}, {}, {}, {}};
+      return {"I do not see what is on the table now.", {}, {}, {}, {}, true};
     }
   }
 
@@ -111,12 +111,12 @@ class TableMotives final : public HearsRequests {
     std::vector<RequestedStep> steps;
     bool waits_first = false;
     for (const auto& x : referents.steps)
-      if (x.action == "Stop")
+      if (x.action == "Stop" && steps.empty())
         end(referents.move);
       else if (x.action == "Wait" && steps.empty()) {
         pause_arm(referents.move);
         waits_first = true;
-      } else if (x.action == "Wait")
+      } else if (x.action == "Wait" || x.action == "Stop")
         debug("after the last step it waits anyway"); // "Take the ball and wait."
       else if (x.action == "GoOn")
         resume_arm(referents.move, referents.steps.size() == 1);
@@ -236,7 +236,12 @@ class TableMotives final : public HearsRequests {
       if (motive->status != MotiveStatus::rejected && motive->status != MotiveStatus::dropped)
         return false;
       const auto why = problem(*motive);
-      words = explained(motive->words, why.reason) + (why.help.empty() ? "" : ' ' + why.help);
+      words = explained(motive->words, why.reason);
+      if (queue_.try_again(why.has_begun)) {
+        reply(move, MotiveReply::impossible, std::move(words));
+        return true;
+      }
+      words += why.help.empty() ? "" : ' ' + why.help;
       is_half_done = why.has_begun && known.current.what.action == "Swap";
     } catch (const DoesNotExistOnWM& e) {
       debug("{}", e.what());
@@ -284,6 +289,10 @@ class TableMotives final : public HearsRequests {
 
   void begin(const RequestedStep& step) {
     auto asked = goal_of({step.what, true, reason_of(step)});
+    if (!asked.refusal.empty() && !asked.is_impossible) {
+      reply(step.move, MotiveReply::done, std::move(asked.refusal), std::move(asked.things));
+      return tell_end_of(step.move, true);
+    }
     if (!asked.refusal.empty()) {
       note_refusal(step, asked.refusal);
       return give_up(step.move, asked.refusal);
@@ -296,10 +305,9 @@ class TableMotives final : public HearsRequests {
     // Who asked is told here, by what is seen, so that nobody is named as the asker.
     motive.cause = step.move;
     motive.resources = {"arm"};
-    reply(step.move, MotiveReply::accepted, "I will " + motive.words + '.',
-          std::move(asked.things));
+    reply(step.move, MotiveReply::accepted, "I will " + motive.words + '.', asked.things);
     const auto address = here(new_id());
-    queue_.begin(address, std::move(asked.result));
+    queue_.begin(address, std::move(asked.result), std::move(asked.things));
     // First, so that a successor knows what it is for.
     remember();
     add(address, std::move(motive));
