@@ -61,6 +61,7 @@ public:
     mind_what_moves();
     resolve_there();
     keep_others_only();
+    drop_sorting_that_is_told();
     drop_needless();
     return std::move(steps_);
   }
@@ -75,6 +76,13 @@ private:
     if (known == actions.end())
       throw Uninterpretable{Reason::word, verb};
     return known->second;
+  }
+
+  /// Whether a step is what the verb asks for.
+  bool does(const DirectiveStep& step, const std::string& verb) const {
+    const auto& actions = vocabulary().meanings().actions;
+    const auto known = actions.find(verb);
+    return known != actions.end() && step.action == known->second;
   }
 
   void add(const Nominal& x) {
@@ -287,6 +295,20 @@ private:
         places = steps_[i - 1].places;
   }
 
+  /// "Sort them by shape: the balls on the left and the cubes on the right": where they go is said.
+  void drop_sorting_that_is_told() {
+    if (steps_.size() < 3 || !does(steps_.front(), "sort"))
+      return;
+    const auto& sorted = steps_.front().things;
+    const bool is_told = std::all_of(steps_.begin() + 1, steps_.end(), [&](const auto& x) {
+      return !x.places.empty() && std::ranges::all_of(x.things, [&](const auto& thing) {
+        return std::ranges::find(sorted, thing) != sorted.end();
+      });
+    });
+    if (is_told)
+      steps_.erase(steps_.begin());
+  }
+
   /// "Lift the ball and hold it there"; "take the balls and put them on the left", of which only
   /// one at a time can be held.
   void drop_needless() {
@@ -294,6 +316,11 @@ private:
       const auto& x = steps_[i];
       const auto& next = steps_[i + 1];
       const bool is_said_again = x == next;
+      // "Put it down and let go of it."
+      if (is_said_again && does(x, "drop")) {
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
+        continue;
+      }
       const bool are_put_anyway =
         x.things.size() > 1 && x.number == 0 && x.things == next.things && next.number == 0;
       if (x.action == action_for("take") && (is_said_again || are_put_anyway))

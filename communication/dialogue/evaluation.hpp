@@ -245,6 +245,7 @@ private:
   Truth looks(const std::string& id, const WordMeanings::Look& look);
   Truth conjoined(const std::string& id, const Nominal& conjunction, const Nominal* among);
   Truth is_in(const std::string& id, const Nominal& region);
+  Truth is_on_top(const std::string& id);
   Things surroundings_of_addressee();
   Truth is_in_part_of_table(const std::string& id, const std::string& part);
   Truth is_related(const std::string& id, const std::string& relation, const Nominal& anchor);
@@ -254,7 +255,9 @@ private:
   Truth is_selected(const std::string& id, const Nominal& selection, const Fitting& among,
                     std::size_t number = 1);
   std::size_t number_of_selected(const Nominal& phrase) const;
+  std::optional<std::string> distinguished(const Nominal& phrase, const Things& certain);
   std::optional<std::string> distinguished_by_size(const Nominal& phrase);
+  std::optional<std::string> distinguished_by_side(const Nominal& phrase);
   Truth compares(const std::string& id, const Nominal& comparison);
   Truth compares_with_length(const std::string& id, const Nominal& comparison,
                              const Nominal& length);

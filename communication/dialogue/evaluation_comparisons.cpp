@@ -169,6 +169,32 @@ std::optional<std::string> Evaluation::distinguished_by_size(const Nominal& phra
   return found.size() == 1 ? std::optional{found.front()} : std::nullopt;
 }
 
+/// "The ball at the back" of two, of which neither or both are there: the one farther back.
+std::optional<std::string> Evaluation::distinguished_by_side(const Nominal& phrase) {
+  constexpr double least_difference = 0.02; // metres
+  const auto* side = dependent(form_, phrase, "Location");
+  if (side == nullptr || side->sort != "region" || is_negated(*side) || has_containers() ||
+      dependent(form_, *side, "Anchor") != nullptr || vocabulary().is_general(phrase.proposition))
+    return std::nullopt;
+  Fitting others;
+  for (const auto& other : candidates(phrase))
+    others.add(other, fits_but_for(other, phrase, *side));
+  const auto both = others.best();
+  const auto& way = side->proposition;
+  const bool is_across = way == "left" || way == "right";
+  if (both.size() != 2 || !(is_across || way == "front" || way == "back"))
+    return std::nullopt;
+  const auto a = scene_.place_in_view(both.front());
+  const auto b = scene_.place_in_view(both.back());
+  if (!a || !b)
+    return std::nullopt;
+  const double beyond =
+    (is_across ? a->x - b->x : a->y - b->y) * (way == "left" || way == "front" ? -1 : 1);
+  if (std::abs(beyond) < least_difference)
+    return std::nullopt;
+  return beyond > 0 ? both.front() : both.back();
+}
+
 Truth Evaluation::shares(const std::string& a, const std::string& b, const std::string& quality) {
   auto kind = vocabulary().kind_of_quality(quality);
   if (!kind || (is_container(a) && is_container(b))) {

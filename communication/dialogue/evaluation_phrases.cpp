@@ -204,7 +204,7 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
     return found;
   }
   if (found.certain.size() != 1)
-    if (const auto one = distinguished_by_size(phrase))
+    if (const auto one = distinguished(phrase, found.certain))
       return {{*one}, {*one}};
   const bool may_be_seen = vocabulary().is_perceptible(phrase.proposition);
   // A room may be the office, but nobody has said so.
@@ -219,6 +219,21 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
   if (found.certain.size() > 1)
     throw Uninterpretable{Reason::ambiguous, phrase.name};
   return {found.best(), found.best()};
+}
+
+/// The one of several, or of none that fit in every way, that is meant nevertheless.
+std::optional<std::string> Evaluation::distinguished(const Nominal& phrase, const Things& certain) {
+  if (auto by_size = distinguished_by_size(phrase))
+    return by_size;
+  if (auto by_side = distinguished_by_side(phrase))
+    return by_side;
+  // "What is behind the blue ball? - Put it next to the ball." Of what is told, it is asked.
+  if (!is_request())
+    return std::nullopt;
+  auto last = antecedents_of(phrase.name + std::string{spoken_of_last});
+  std::erase_if(last,
+                [&](const auto& id) { return std::ranges::find(certain, id) == certain.end(); });
+  return last.size() == 1 ? std::optional{last.front()} : std::nullopt;
 }
 
 /// Of how many of them `scope` is true.
@@ -394,6 +409,11 @@ Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
   auto& noun = phrase.proposition;
   if (auto named = is_named_by_sense(id, phrase))
     return *named;
+  // "What is on the left? - Take the taller one": of these.
+  if (noun == "one" && dependent(form_, phrase, "Selection") != nullptr &&
+      dependent(form_, phrase, "PartOf") == nullptr)
+    if (const auto all = antecedents_of(phrase.name + std::string{answered_last}); !all.empty())
+      return truth_of(std::ranges::find(all, id) != all.end());
   if (vocabulary().is_general(noun))
     return truth_of(scene_.is_thing(id) || dependent(form_, phrase, "PartOf") != nullptr ||
                     room_asked_beside(phrase) != nullptr);

@@ -146,6 +146,9 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
     const auto stack = only_stack(scene_);
     return truth_of(std::ranges::find(stack, id) != stack.end());
   }
+  const bool is_top = relation == "top" || relation == "on-top";
+  if (is_top && anchor == nullptr && !has_containers() && scene_.knows_relation("on"))
+    return is_on_top(id);
   if (auto result = is_in_container_part(id, region))
     return *result;
   if (anchor != nullptr)
@@ -186,6 +189,19 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
       return is_directly(id, side, other);
     });
   return is_related(id, vocabulary().relation_of(relation).value_or(relation), *anchor);
+}
+
+/// "Which one is on top?": it stands on something, and nothing stands on it.
+Truth Evaluation::is_on_top(const std::string& id) {
+  auto is_on_something = Truth::no;
+  auto is_under_something = Truth::no;
+  for (const auto& other : scene_.things()) {
+    if (other == id)
+      continue;
+    is_on_something = either(is_on_something, scene_.is_related("on", id, other));
+    is_under_something = either(is_under_something, scene_.is_related("on", other, id));
+  }
+  return both(is_on_something, negation(is_under_something));
 }
 
 /// Where rooms are to each other is known only as far as somebody tells it: that they adjoin, but
@@ -251,8 +267,8 @@ Truth Evaluation::is_in_part_of_table(const std::string& id, const std::string& 
   // Nobody has said where the table ends.
   if (part == "edge")
     return Truth::unknown;
-  // "Here" is anywhere on the table.
-  if (part == "here" || part == "on")
+  // "Here" is anywhere on the table, and so is "over there" if no place was spoken of.
+  if (part == "here" || part == "there" || part == "on")
     return Truth::yes;
   // "Back-right-corner", "at the left edge": on each of the sides that it names.
   if (const auto end = part.find('-'); end != std::string::npos) {

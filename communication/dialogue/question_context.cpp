@@ -241,15 +241,15 @@ DialogueMove QuestionContext::with_what_is_the_same(DialogueMove move) const {
   return move;
 }
 
-/// "Is anything behind the cube? Put the ball there": where the question or request before has
-/// something.
+/// "Is anything behind the cube? Put the ball there. Is anything else over there?": where the
+/// question or request before has something.
 void QuestionContext::resolve_there(CompleteMove& move) const {
   const auto& form = move.move.content;
-  const auto* root = find_nominal(form, form.root);
-  const auto* there =
-    root == nullptr || root->sort != "action" ? nullptr : dependent(form, *root, "Destination");
-  if (!question_ || there == nullptr || there->proposition != "there" ||
-      dependent(form, *there, "Anchor") != nullptr)
+  const auto there = std::ranges::find_if(form.nominals, [&](const Nominal& x) {
+    return x.sort == "region" && x.proposition == "there" &&
+           dependent(form, x, "Anchor") == nullptr;
+  });
+  if (!question_ || there == form.nominals.end())
     return;
   const auto& before = question_->move.content;
   const auto place = std::ranges::find_if(before.nominals, [](const Nominal& x) {

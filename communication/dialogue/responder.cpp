@@ -7,6 +7,8 @@
 #include "castor/communication/dialogue/referring_expression.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -119,7 +121,21 @@ LogicalForm Responder::described(LogicalForm said) {
   return part_of(said, said.root);
 }
 
-Response Responder::to(const Uninterpretable& why) const {
+/// "Take the orange cube": which cubes there are, so that another can be named. Empty if it was not
+/// asked for by more than a noun, or there is none.
+std::vector<Sentence> Responder::others_of_noun(const Nominal& phrase) {
+  if (root().sort != "action" || phrase.relations.empty() || is_plural(phrase) ||
+      vocabulary().is_general(phrase.proposition) || is_pronoun(phrase))
+    return {};
+  auto form = definite(phrase.proposition);
+  const auto things =
+    Evaluation{form, {}, scene_}.described(*find_nominal(form, form.root)).certain;
+  if (things.empty() || !scene_.open_questions().empty())
+    return {};
+  return list(things).sentences;
+}
+
+Response Responder::to(const Uninterpretable& why) {
   using Reason = Uninterpretable::Reason;
   const auto* phrase = find_nominal(form_, why.what);
   // "Can you throw the ball?", whichever it is.
@@ -168,9 +184,11 @@ Response Responder::to(const Uninterpretable& why) const {
     return {RhetoricalRelation::correction, {}, "I do not see what you point at.", {}};
   // What there are no words for is called by its noun.
   const auto simpler = definite(is_pronoun(*phrase) ? "thing" : phrase->proposition);
-  if (why.reason == Reason::nothing_like)
-    return {
-      RhetoricalRelation::correction, {{nothing_like(*phrase), i_do_not_see(simpler)}}, {}, {}};
+  if (why.reason == Reason::nothing_like) {
+    std::vector<Sentence> sentences{{nothing_like(*phrase), i_do_not_see(simpler)}};
+    std::ranges::move(others_of_noun(*phrase), std::back_inserter(sentences));
+    return {RhetoricalRelation::correction, std::move(sentences), {}, {}};
+  }
   return {RhetoricalRelation::clarification_question,
           {{which(called(*phrase)), which(simpler)}},
           {},

@@ -35,7 +35,7 @@ public:
   Response described(Response response);
 
   /// Says why there is no other reply.
-  Response to(const Uninterpretable& why) const;
+  Response to(const Uninterpretable& why);
 
 private:
   using Things = std::vector<std::string>;
@@ -86,6 +86,7 @@ private:
   // -- replies
   Response cannot_do_that() const;
   LogicalForm nothing_like(const Nominal& phrase) const;
+  std::vector<Sentence> others_of_noun(const Nominal& phrase);
   LogicalForm as_it_is(const std::string& id, const LogicalForm& what, const Nominal& scope) const;
   LogicalForm denied(const std::string& id, const Nominal& scope) const;
   LogicalForm called(const Nominal& phrase) const;

@@ -65,13 +65,22 @@ Proxies set_with(const std::vector<const MoveReferents*>& moves, const std::stri
   return {};
 }
 
-/// "What is on the left? What is on the right? Swap those two": the answers to the last questions,
-/// if they are as many as that; else nothing.
-Proxies latest_answers(const std::vector<const MoveReferents*>& moves, const NumberRange& range) {
+/// The one thing that a move was about: its answer, or else all that it spoke of.
+const DiscourseReferent* only_referent(const MoveReferents& move) {
+  const auto& all = move.referents;
+  const auto answer = std::ranges::find_if(all, &DiscourseReferent::is_answer);
+  const auto* result = answer != all.end() ? &*answer : all.size() == 1 ? &all.front() : nullptr;
+  return result != nullptr && result->proxies.size() == 1 ? result : nullptr;
+}
+
+/// "What is on the left? Where is the ball? Swap those two": what the last moves were about, one
+/// each, if that is as many; else nothing.
+Proxies latest_one_by_one(const std::vector<const MoveReferents*>& moves,
+                          const NumberRange& range) {
   Proxies result;
   for (const auto* move : moves) {
-    const auto answer = std::ranges::find_if(move->referents, &DiscourseReferent::is_answer);
-    if (answer == move->referents.end() || answer->proxies.size() != 1)
+    const auto* answer = only_referent(*move);
+    if (answer == nullptr)
       return {};
     if (std::ranges::find(result, answer->proxies.front()) == result.end())
       result.insert(result.begin(), answer->proxies.front());
@@ -83,8 +92,8 @@ Proxies latest_answers(const std::vector<const MoveReferents*>& moves, const Num
 
 /// The last things that were spoken of that are as many as that.
 Proxies latest_of_number(const std::vector<const MoveReferents*>& moves, const NumberRange& range) {
-  if (auto answers = latest_answers(moves, range); answers.size() > 1)
-    return answers;
+  if (auto each = latest_one_by_one(moves, range); each.size() > 1)
+    return each;
   const auto fits = [&range](const Proxies& x) {
     return is_within({x.size(), x.size()}, range) == Truth::yes;
   };
@@ -143,6 +152,36 @@ Proxies latest_besides(const std::vector<const MoveReferents*>& moves, const Pro
   return {};
 }
 
+/// "Put the ball down", "put it back": whoever knows what was done knows which ball that is.
+bool is_told_by_what_was_done(const LogicalForm& form, const Nominal& x) {
+  return std::ranges::any_of(form.nominals, [&](const Nominal& action) {
+    const auto* to = dependent(form, action, "Destination");
+    const bool is_back = to != nullptr && to->proposition == "place-before-of";
+    return action.sort == "action" && dependent(form, action, "Patient") == &x &&
+           (is_back ||
+            (to == nullptr && (action.proposition == "drop" || action.proposition == "put-back")));
+  });
+}
+
+/// Things that the last move spoke of, one by one.
+Proxies last_singles(const std::vector<const MoveReferents*>& moves) {
+  Proxies result;
+  if (!moves.empty())
+    for (const auto& x : moves.front()->referents)
+      if (x.proxies.size() == 1 && !x.is_plural)
+        result.push_back(x.proxies.front());
+  return result;
+}
+
+/// What the last move had for an answer, if it is several things.
+Proxies last_answers(const std::vector<const MoveReferents*>& moves) {
+  if (moves.empty())
+    return {};
+  const auto& all = moves.front()->referents;
+  const auto answer = std::ranges::find_if(all, &DiscourseReferent::is_answer);
+  return answer == all.end() || answer->proxies.size() < 2 ? Proxies{} : answer->proxies;
+}
+
 /// "Put the disc on the box. Now take it away from it.": the second is another thing.
 bool is_place_of_other(const LogicalForm& form, const Nominal& x) {
   const auto* root = find_nominal(form, form.root);
@@ -182,6 +221,13 @@ Antecedents antecedents_in(const LogicalForm& form, const std::vector<const Move
       found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, true);
     if (!found.empty())
       result.emplace(x.name, std::move(found));
+    if (x.sort != "thing" || is_pronoun(x) || is_plural(x) || !is_definite(x) ||
+        is_about_others(form, x) || is_told_by_what_was_done(form, x))
+      continue;
+    if (auto singles = last_singles(moves); !singles.empty())
+      result.emplace(x.name + std::string{spoken_of_last}, std::move(singles));
+    if (auto answers = last_answers(moves); !answers.empty())
+      result.emplace(x.name + std::string{answered_last}, std::move(answers));
   }
   return result;
 }
@@ -228,6 +274,10 @@ std::vector<DiscourseReferent> referents_of(const DialogueMove& move,
   auto& form = move.content;
   Evaluation evaluation{form, antecedents, scene};
   const auto* root = find_nominal(form, form.root);
+  // Of two questions the answer to the second is what is spoken of next.
+  if (const auto* second = root == nullptr ? nullptr : dependent(form, *root, "Next");
+      second != nullptr && dependent(form, *second, "Wh-Restr") != nullptr)
+    root = second;
   const auto* asked = root == nullptr ? nullptr : dependent(form, *root, "Wh-Restr");
   auto add = [&](const Nominal& phrase, const std::vector<std::string>& things, bool plural) {
     DiscourseReferent referent{phrase.name, phrase.proposition, plural, {}, &phrase == asked};

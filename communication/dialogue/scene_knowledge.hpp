@@ -30,6 +30,13 @@ inline constexpr std::string_view chosen_from = "/of";
 /// there is.
 inline constexpr std::string_view first_spoken_of = "/first";
 
+/// After the name of a nominal such as "the ball": things that were spoken of last, one by one. Of
+/// several balls it is the one among these.
+inline constexpr std::string_view spoken_of_last = "/last";
+
+/// After the name of a nominal such as "the taller one": several things that were the last answer.
+inline constexpr std::string_view answered_last = "/answered";
+
 /// After the name of a nominal such as "this cube" or "here": what somebody points at and may mean
 /// by it. None if there is no such thing.
 inline constexpr std::string_view pointed_at = "/at";

@@ -52,7 +52,7 @@ public:
       return true;
     if (dependent(form_, fragment_, "InsteadOf") != nullptr)
       return instead();
-    if (other_corner() || other_patient())
+    if (other_corner() || other_patient() || other_of_noun())
       return true;
     for (const bool strictly : {true, false}) {
       is_strict_ = strictly;
@@ -116,7 +116,7 @@ private:
              const auto* property = find_nominal(form_, said.dependent);
              const auto* own = dependent(form_, x, said.mode);
              return property != nullptr && own != nullptr &&
-                    own->proposition == property->proposition;
+                    (is_pronoun(*property) || own->proposition == property->proposition);
            });
   }
 
@@ -133,6 +133,23 @@ private:
     const Nominal old = *patient;
     inherit(old);
     replace(old.name);
+    return true;
+  }
+
+  /// "Put the ball next to the red cube. No, the green cube": in the place of the only other one
+  /// that is called a cube.
+  bool other_of_noun() {
+    if (fragment_.sort != "thing" || feature(fragment_, "Corrects") != "true" ||
+        fragment_.proposition == "one" || vocabulary_.is_general(fragment_.proposition))
+      return false;
+    const auto whole = part_of(form_, form_.root);
+    const auto is_like = [&](const Nominal& x) {
+      return x.sort == "thing" && x.name != fragment_.name && !is_pronoun(x) &&
+             x.proposition == fragment_.proposition && is_plural(x) == is_plural(fragment_);
+    };
+    if (std::ranges::count_if(whole.nominals, is_like) != 1)
+      return false;
+    replace(std::ranges::find_if(whole.nominals, is_like)->name);
     return true;
   }
 

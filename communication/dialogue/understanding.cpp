@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/likely_meaning.hpp"
 #include "castor/communication/dialogue/partial_requests.hpp"
 #include "castor/communication/dialogue/reparsing.hpp"
+#include "castor/communication/dialogue/self_correction.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/spelling.hpp"
 
@@ -12,7 +13,7 @@ namespace castor::communication {
 
 PackedLogicalForm understood(Parser& parser, const std::vector<std::string>& said,
                              const std::function<void(const PackedLogicalForm&)>& heard) {
-  auto words = said;
+  auto words = self_corrected(said).value_or(said);
   auto corrections = correct_spelling(words, parser.lexicon());
   IncrementalParse parse{parser};
   for (const auto& word : words) {
