@@ -125,9 +125,14 @@ std::vector<Point3> free_places(const std::vector<SeenThing>& things, double wid
   constexpr double gap = 0.04;
   // Where who looks at the table still sees it, metres.
   constexpr double most_aside = 0.24;
+  constexpr int rings = 13;
+  constexpr int rays = 17;
   std::vector<std::pair<double, Point3>> found;
-  for (const double distance : {0.20, 0.24, 0.28, 0.32, 0.36, 0.40, 0.44})
-    for (const double degrees : {0.0, -12.0, 12.0, -24.0, 24.0, -36.0, 36.0, -48.0, 48.0}) {
+  for (int ring = 0; ring < rings; ++ring)
+    for (int ray = 0; ray < rays; ++ray) {
+      const double distance = 0.20 + 0.02 * ring;
+      // From the middle to both sides.
+      const double degrees = 6.0 * ((ray + 1) / 2) * (ray % 2 == 0 ? 1 : -1);
       const double angle = degrees * std::numbers::pi / 180;
       const Point3 place{distance * std::cos(angle), distance * std::sin(angle), 0};
       const bool is_in_middle = distance > 0.27 && std::abs(degrees) < 25;
@@ -141,9 +146,17 @@ std::vector<Point3> free_places(const std::vector<SeenThing>& things, double wid
         found.emplace_back(room, place);
     }
   std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<double, Point3>::first);
+  // The roomiest are enough, of those at hand and of those farther out.
+  constexpr std::size_t most = 18;
+  constexpr double at_hand = 0.27;
+  std::size_t near = 0;
+  std::size_t far = 0;
   std::vector<Point3> result;
-  for (const auto& x : found)
-    result.push_back(x.second);
+  for (const auto& [room, place] : found)
+    if (auto& count = std::hypot(place.x, place.y) < at_hand ? near : far; count < most) {
+      ++count;
+      result.push_back(place);
+    }
   return result;
 }
 

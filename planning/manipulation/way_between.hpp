@@ -24,10 +24,11 @@ public:
   bool are_for(const Scene& scene, const std::string& thing, const Configuration& start) const;
 
   /// The plan to put the thing at the first of the places from which it can be put at its goal, or
-  /// else, where it can be turned so that it can then. Nothing if there is none.
+  /// else, where it can be turned so that it can then, perhaps with a further stop. Nothing if
+  /// there is none.
   std::optional<ManipulationPlan> plan_to(const PlaceGoal& goal);
 
-  /// Whether there is such a place, without another turn of the thing; the motions there are not
+  /// Whether there is such a place, without further ones before it; the motions there are not
   /// planned.
   bool reach(const PlaceGoal& goal);
 
@@ -41,13 +42,15 @@ private:
     /// Index of the stop at which it is put down before.
     std::optional<std::size_t> before = {};
     bool is_tried = false;
-    /// None if it cannot be put there.
+    /// How it stands there; neither if it cannot be put there.
+    std::optional<Pose> pose = {};
     std::optional<ManipulationPlanner::WaysToTake> ways = {};
   };
 
   const std::optional<ManipulationPlanner::WaysToTake>& ways_from(std::size_t index);
-  std::optional<ManipulationPlanner::WaysToTake>
-  ways_from_place(const ManipulationPlanner::WaysToTake& ways, const PlaceGoal& place) const;
+  ManipulationPlanner::WaysToTake ways_at(const Pose& pose) const;
+  bool lands_from(std::size_t index, const PlaceGoal& goal);
+  bool lands_surely_from(std::size_t index, const PlaceGoal& goal) const;
   const PlaceGoal& first_place(const Stop& stop) const;
 
   const ManipulationPlanner& planner_;

@@ -133,6 +133,7 @@ class ArmExecutor final : public ResumesManipulation {
     if (thing == things.end())
       return query;
     auto& ways = ways_of(*thing, things);
+    auto& ways_among_others = ways_of(*thing, things, false);
     const auto to_arm = geometry::inverse(placement(), arm_frame);
     for (const auto& point : query.points) {
       PlaceGoal goal;
@@ -140,22 +141,34 @@ class ArmExecutor final : public ResumesManipulation {
       goal.radius = TablePlace{}.radius;
       goal.support = "the table";
       const bool is_direct = planner_->landing_of(ways.ways_from_here(), goal).has_value();
-      query.reach.push_back(is_direct                                   ? spatial::Reach::direct
-                            : query.may_put_between && ways.reach(goal) ? spatial::Reach::by_stop
-                                                                        : spatial::Reach::none);
+      // The stops are made before anything else is moved.
+      const auto is_by_stop = [&] { return ways.reach(goal) && ways_among_others.reach(goal); };
+      query.reach.push_back(is_direct                               ? spatial::Reach::direct
+                            : query.may_put_between && is_by_stop() ? spatial::Reach::by_stop
+                                                                    : spatial::Reach::none);
     }
     return query;
   }
 
-  /// As if the thing were alone on the table, but with the places between that are free now.
-  StopsBetween& ways_of(const SeenThing& thing, const std::vector<SeenThing>& things) {
-    const auto& name = thing.thing.name;
-    const auto alone = scene_of({thing});
-    const auto free = free_places(things, thing.thing.solid.size.x, true);
-    if (const auto known = ways_.find(name);
-        known != ways_.end() && !known->second.are_for(alone, name, joints()))
-      ways_.erase(known);
-    return ways_.try_emplace(name, *planner_, alone, name, free, joints()).first->second;
+  /// Where the thing can be put down on its way; where it is now is free then.
+  static std::vector<Point3> free_places_but_for(const SeenThing& thing,
+                                                 std::vector<SeenThing> things) {
+    std::erase_if(things, [&](const SeenThing& x) { return x.thing.name == thing.thing.name; });
+    return free_places(things, thing.thing.solid.size.x, true);
+  }
+
+  /// With the places between that are free now.
+  /// @param is_alone as if the thing were alone on the table
+  StopsBetween& ways_of(const SeenThing& thing, const std::vector<SeenThing>& things,
+                        bool is_alone = true) {
+    const auto name = thing.thing.name;
+    const auto scene = is_alone ? scene_of({thing}) : scene_of(things);
+    auto& all_ways = is_alone ? ways_ : ways_among_others_;
+    const auto free = free_places_but_for(thing, things);
+    if (const auto known = all_ways.find(name);
+        known != all_ways.end() && !known->second.are_for(scene, name, joints()))
+      all_ways.erase(known);
+    return all_ways.try_emplace(name, *planner_, scene, name, free, joints()).first->second;
   }
 
   /// An action that concerns the one that runs.
@@ -179,7 +192,7 @@ class ArmExecutor final : public ResumesManipulation {
 
   ActionResult pick_and_place(const PickAndPlace& x) {
     begin("put a thing somewhere", x.what);
-    int most_between = x.may_put_between ? 2 : 0;
+    int most_between = x.may_put_between ? 4 : 0;
     return with_thing(x.what, [&](const SeenThing& thing) -> std::optional<ActionResult> {
       told_.task = "put " + thing.thing.name + ' ' + text_of(x.to);
       const auto goal = goal_of(x.to);
@@ -207,8 +220,8 @@ class ArmExecutor final : public ResumesManipulation {
     const auto reason = told_.reason;
     const auto& name = thing.thing.name;
     if (!stops_between_ || !stops_between_->are_for(scene(), name, joints()))
-      stops_between_.emplace(*planner_, scene(), name,
-                             free_places(things_, thing.thing.solid.size.x, true), joints());
+      stops_between_.emplace(*planner_, scene(), name, free_places_but_for(thing, things_),
+                             joints());
     const auto plan = stops_between_->plan_to(goal);
     if (!plan)
       return ActionResult::failed(reason);

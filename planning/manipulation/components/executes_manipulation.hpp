@@ -373,6 +373,8 @@ protected:
   std::optional<StopsBetween> stops_between_;
   /// Of things that were asked about since the last action, by their names.
   std::map<std::string, StopsBetween> ways_;
+  /// The same, where the other things are in the way.
+  std::map<std::string, StopsBetween> ways_among_others_;
   /// Names of the joints that do not move any more.
   std::vector<std::string> still_joints_;
   /// The one that runs, or null.

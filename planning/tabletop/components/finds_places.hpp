@@ -121,7 +121,8 @@ protected:
           .reach;
       } catch (const WorkingMemoryException& e) {
         debug("{}", e.what());
-        return {};
+        // Stops that take so long to find are none.
+        return std::vector(may_put_between ? points.size() : 0, spatial::Reach::none);
       }
     };
   }
