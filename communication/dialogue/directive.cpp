@@ -45,6 +45,14 @@ bool is_formation(std::string_view relation) {
   return is_arrangement(relation) || relation == "in-triangle";
 }
 
+bool is_opposite(std::string_view a, std::string_view b) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> opposites{
+    {{"left", "right"}, {"front", "back"}}};
+  return std::ranges::any_of(opposites, [&](const auto& x) {
+    return (a == x.first && b == x.second) || (a == x.second && b == x.first);
+  });
+}
+
 class StepReader {
 public:
   StepReader(const LogicalForm& form, const Antecedents& antecedents, SceneKnowledge& scene)
@@ -358,7 +366,9 @@ private:
       step.action = action_for("put");
     auto meant = meant_.things(patient);
     // "Take the largest thing on the left" says which, if it is on the left.
-    if (x.proposition == "take-to" && !is_pronoun(patient) && are_in_part(meant, destination))
+    const bool is_bare_one = patient.proposition == "one" && patient.relations.empty();
+    if (x.proposition == "take-to" && !is_pronoun(patient) &&
+        (is_bare_one || are_in_part(meant, destination)))
       throw Uninterpretable{Reason::word, destination.proposition};
     // "Take the tower apart": what stands on something comes onto the table.
     if (destination.proposition == "apart" && is_tower(patient) && meant.things.size() > 1) {
@@ -389,6 +399,10 @@ private:
     meant_.note_landmarks(landmarks);
     if (landmarks.size() == 1 && step.places.front().relation == "on")
       meant_.note_stack(landmarks.front());
+    // "A cube on each side of the disc" are two.
+    if (step.places.front().relation == "both-sides" && meant.number == 1 &&
+        meant.things.size() > 1)
+      meant.number = 2;
     // "Put everything next to the disc" moves all but the disc.
     if (!is_definite(patient) || is_plural(patient))
       meant.things = all_but(std::move(meant.things), landmarks);
@@ -417,13 +431,24 @@ private:
     for (const auto& place : places_named(form_, destination, vocabulary())) {
       Things others;
       if (place.landmark != nullptr)
-        others = meant_.landmarks_of(*place.landmark, meant.things);
+        others = landmarks_of(place, meant);
       step.places.push_back(
         {place.relation == opposite_side ? side_opposite_to(meant) : place.relation,
          meant_.proxies(others), place.distance});
       result.insert(result.end(), others.begin(), others.end());
     }
     return result;
+  }
+
+  /// "The ball to the left of the cube, and the disc to the right of it": of the cube.
+  Things landmarks_of(const PlacePhrase& place, const Meant& meant) {
+    const auto& before = meant_.landmarks_before();
+    const bool is_parallel = !steps_.empty() && steps_.back().places.size() == 1 &&
+                             is_opposite(steps_.back().places.front().relation, place.relation);
+    if (is_parallel && before.size() == 1 && is_pronoun(*place.landmark) &&
+        !is_plural(*place.landmark))
+      return before;
+    return meant_.landmarks_of(*place.landmark, meant.things);
   }
 
   /// "On the other side of the table", of a thing.

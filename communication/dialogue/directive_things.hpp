@@ -58,6 +58,8 @@ public:
   /// "Stack the cubes, and put the ball in front of the tower": what stands below in it.
   void note_stack(const std::string& bottom) { stack_ = {bottom}; }
   void note_landmarks(const Things& landmarks) { landmarks_before_ = landmarks; }
+  /// Those of the step before.
+  const Things& landmarks_before() const { return landmarks_before_; }
   /// "If there is a ball on the left, take it": a clause that a step depends on, or is asked for
   /// because of, says what its pronouns stand for.
   void note_clause(const Nominal& clause);

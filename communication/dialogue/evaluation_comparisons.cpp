@@ -169,30 +169,49 @@ std::optional<std::string> Evaluation::distinguished_by_size(const Nominal& phra
   return found.size() == 1 ? std::optional{found.front()} : std::nullopt;
 }
 
-/// "The ball at the back" of two, of which neither or both are there: the one farther back.
+/// "The ball at the back" of two, of which neither or both are there: the one farther back. "The
+/// one in the middle" of several that were spoken of.
 std::optional<std::string> Evaluation::distinguished_by_side(const Nominal& phrase) {
-  constexpr double least_difference = 0.02; // metres
   const auto* side = dependent(form_, phrase, "Location");
   if (side == nullptr || side->sort != "region" || is_negated(*side) || has_containers() ||
-      dependent(form_, *side, "Anchor") != nullptr || vocabulary().is_general(phrase.proposition))
+      dependent(form_, *side, "Anchor") != nullptr)
+    return std::nullopt;
+  if (phrase.proposition == "one")
+    return outermost(antecedents_of(phrase.name + std::string{last_group}), side->proposition);
+  if (vocabulary().is_general(phrase.proposition))
     return std::nullopt;
   Fitting others;
   for (const auto& other : candidates(phrase))
     others.add(other, fits_but_for(other, phrase, *side));
   const auto both = others.best();
-  const auto& way = side->proposition;
-  const bool is_across = way == "left" || way == "right";
-  if (both.size() != 2 || !(is_across || way == "front" || way == "back"))
+  return both.size() == 2 && side->proposition != "centre" ? outermost(both, side->proposition)
+                                                           : std::nullopt;
+}
+
+/// The one of those that is farthest to a side, clearly, or that has as many on its left as on its
+/// right.
+std::optional<std::string> Evaluation::outermost(const Things& things,
+                                                 const std::string& side) const {
+  constexpr double least_difference = 0.02; // metres
+  const bool is_centre = side == "centre";
+  const bool is_along = side == "front" || side == "back";
+  if (things.size() < 2 || (is_centre && things.size() % 2 == 0) ||
+      !(is_centre || is_along || side == "left" || side == "right"))
     return std::nullopt;
-  const auto a = scene_.place_in_view(both.front());
-  const auto b = scene_.place_in_view(both.back());
-  if (!a || !b)
-    return std::nullopt;
-  const double beyond =
-    (is_across ? a->x - b->x : a->y - b->y) * (way == "left" || way == "front" ? -1 : 1);
-  if (std::abs(beyond) < least_difference)
-    return std::nullopt;
-  return beyond > 0 ? both.front() : both.back();
+  std::vector<std::pair<double, std::string>> in_order;
+  for (const auto& id : things) {
+    const auto at = scene_.place_in_view(id);
+    if (!at)
+      return std::nullopt;
+    const double towards = is_along ? at->y : at->x;
+    in_order.emplace_back(side == "left" || side == "front" ? -towards : towards, id);
+  }
+  std::ranges::sort(in_order, std::ranges::greater{});
+  if (is_centre)
+    return in_order[in_order.size() / 2].second;
+  return in_order[0].first - in_order[1].first < least_difference
+           ? std::nullopt
+           : std::optional{in_order[0].second};
 }
 
 Truth Evaluation::shares(const std::string& a, const std::string& b, const std::string& quality) {

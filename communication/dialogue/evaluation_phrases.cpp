@@ -65,7 +65,18 @@ Fitting Evaluation::answers(const Nominal& e, const Nominal& asked) {
     truth = both(truth, clause(e));
     result.add(id, truth);
   }
-  return result;
+  return result.possible.empty() ? outermost_answer(e, asked) : result;
+}
+
+/// "Which of them is on the left?", where none is: the leftmost of them.
+Fitting Evaluation::outermost_answer(const Nominal& e, const Nominal& asked) {
+  const auto* whole = dependent(form_, asked, "PartOf");
+  const auto* side = dependent(form_, e, "Cop-Scope");
+  if (whole == nullptr || side == nullptr || side->sort != "region" || is_negated(e) ||
+      is_negated(*side) || has_containers() || dependent(form_, *side, "Anchor") != nullptr)
+    return {};
+  const auto one = outermost(meant(*whole), side->proposition);
+  return one ? Fitting{{*one}, {*one}} : Fitting{};
 }
 
 Fitting Evaluation::subjects(const Nominal& e, const Nominal& subject) {
@@ -183,6 +194,12 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
     if (auto group = antecedents_of(phrase.name); !group.empty())
       return {group, group};
   auto found = described(phrase);
+  // "What colour are the cubes? What shape is the yellow one?": the yellow thing, if no cube is.
+  if (found.possible.empty() && feature(phrase, "Called") == "one" && !is_request()) {
+    auto thing = phrase;
+    thing.proposition = vocabulary().general_concept();
+    found = described(thing);
+  }
   const bool is_lenient = found.possible.empty();
   if (is_lenient) {
     ScopedValue lenience{is_lenient_, true};
@@ -412,7 +429,7 @@ Truth Evaluation::is_called(const std::string& id, const Nominal& phrase) {
   // "What is on the left? - Take the taller one": of these.
   if (noun == "one" && dependent(form_, phrase, "Selection") != nullptr &&
       dependent(form_, phrase, "PartOf") == nullptr)
-    if (const auto all = antecedents_of(phrase.name + std::string{answered_last}); !all.empty())
+    if (const auto all = antecedents_of(phrase.name + std::string{last_group}); !all.empty())
       return truth_of(std::ranges::find(all, id) != all.end());
   if (vocabulary().is_general(noun))
     return truth_of(scene_.is_thing(id) || dependent(form_, phrase, "PartOf") != nullptr ||

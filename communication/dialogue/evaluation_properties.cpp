@@ -139,6 +139,10 @@ Truth Evaluation::looks(const std::string& id, const WordMeanings::Look& look) {
 Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   auto& relation = region.proposition;
   const auto* anchor = dependent(form_, region, "Anchor");
+  // "At the right edge": on that side.
+  if (relation == "at" && anchor != nullptr && anchor->proposition.ends_with("-edge") &&
+      anchor->relations.empty() && !has_containers())
+    return is_in_part_of_table(id, anchor->proposition);
   // Nobody has said where the corners and the sides of the table are.
   if (anchor != nullptr && anchor->sort == "place" && !has_containers())
     not_understood(anchor->proposition);

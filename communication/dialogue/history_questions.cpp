@@ -180,6 +180,9 @@ question_about_moves(const std::vector<std::string>& words) {
     return std::nullopt;
   if (says(parts->after, {"first"}))
     return in_words("what did you move first");
+  // "What did you just move?" is about all that was moved for the last request.
+  if (is_last && begin == "what" && says(asked, {"just"}) && !says(parts->after, {"last"}))
+    return in_words("which things have you moved for that");
   if (is_last)
     return in_words("what did you move last");
   const auto things = kind == about.end() ? std::string{"things"} : *kind;

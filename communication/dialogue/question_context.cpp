@@ -220,7 +220,7 @@ void QuestionContext::replace_one(LogicalForm& form) const {
     const auto& kind = !noun.empty() || is_identified(form, *root, x) ? noun : noun_;
     if (kind.empty())
       continue;
-    if (root->sort == "action" || root->sort == "conjunction")
+    if (root->sort == "action" || root->sort == "conjunction" || is_definite(x))
       x.features.push_back({"Called", "one"});
     x.proposition = kind;
   }

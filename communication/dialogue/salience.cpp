@@ -173,13 +173,15 @@ Proxies last_singles(const std::vector<const MoveReferents*>& moves) {
   return result;
 }
 
-/// What the last move had for an answer, if it is several things.
-Proxies last_answers(const std::vector<const MoveReferents*>& moves) {
+/// Several things that the last move had for an answer, or spoke of together.
+Proxies last_several(const std::vector<const MoveReferents*>& moves) {
   if (moves.empty())
     return {};
   const auto& all = moves.front()->referents;
   const auto answer = std::ranges::find_if(all, &DiscourseReferent::is_answer);
-  return answer == all.end() || answer->proxies.size() < 2 ? Proxies{} : answer->proxies;
+  if (answer != all.end())
+    return answer->proxies.size() < 2 ? Proxies{} : answer->proxies;
+  return latest({moves.front()}, true);
 }
 
 /// "Put the disc on the box. Now take it away from it.": the second is another thing.
@@ -226,8 +228,8 @@ Antecedents antecedents_in(const LogicalForm& form, const std::vector<const Move
       continue;
     if (auto singles = last_singles(moves); !singles.empty())
       result.emplace(x.name + std::string{spoken_of_last}, std::move(singles));
-    if (auto answers = last_answers(moves); !answers.empty())
-      result.emplace(x.name + std::string{answered_last}, std::move(answers));
+    if (auto several = last_several(moves); !several.empty())
+      result.emplace(x.name + std::string{last_group}, std::move(several));
   }
   return result;
 }

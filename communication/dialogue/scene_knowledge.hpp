@@ -34,8 +34,9 @@ inline constexpr std::string_view first_spoken_of = "/first";
 /// several balls it is the one among these.
 inline constexpr std::string_view spoken_of_last = "/last";
 
-/// After the name of a nominal such as "the taller one": several things that were the last answer.
-inline constexpr std::string_view answered_last = "/answered";
+/// After the name of a nominal such as "the taller one": several things that were the last answer,
+/// or spoken of last.
+inline constexpr std::string_view last_group = "/group";
 
 /// After the name of a nominal such as "this cube" or "here": what somebody points at and may mean
 /// by it. None if there is no such thing.

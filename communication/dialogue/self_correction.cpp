@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <span>
+#include <utility>
 
 namespace castor::communication {
 
@@ -13,48 +15,120 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// Words of "the light green cube", without the article.
-constexpr std::ptrdiff_t most_words_of_phrase = 3;
+constexpr std::size_t most_words_of_phrase = 3;
 
 bool is_sign(const std::string& word) {
   return is_among(word, {"no", "sorry", "rather", "mean", "meant", "correction", "oops", "wait"});
 }
 
 bool may_belong_to_sign(const std::string& word) {
-  return is_sign(word) || is_among(word, {",", "i", "or", "actually", "not", "oh", "i'm"});
+  return is_sign(word) || is_among(word, {",", "i", "or", "actually", "oh"});
+}
+
+bool is_article(const std::string& word) {
+  return word == "the" || word == "a";
+}
+
+bool is_side(const std::string& word) {
+  return is_among(word, {"left", "right", "front", "back"});
+}
+
+/// Positions of words.
+struct Range {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// ", no, sorry," with something before it.
+std::optional<Range> sign_in(const Words& words) {
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+    if (words[i] != ",")
+      continue;
+    auto end = i;
+    while (end < words.size() && may_belong_to_sign(words[end]))
+      ++end;
+    if (end < words.size() &&
+        std::any_of(words.begin() + static_cast<std::ptrdiff_t>(i),
+                    words.begin() + static_cast<std::ptrdiff_t>(end), is_sign))
+      return Range{i, end};
+    i = end;
+  }
+  return std::nullopt;
+}
+
+/// The phrase that ends with the word at a position, from its article on.
+std::optional<Range> phrase_at(const Words& words, std::size_t last) {
+  for (std::size_t i = last; i-- > 0 && last - i <= most_words_of_phrase;) {
+    if (words[i] == ",")
+      return std::nullopt;
+    if (is_article(words[i]))
+      return Range{i, last + 1};
+  }
+  return std::nullopt;
+}
+
+Words spliced(const Words& words, const Range& old, const Range& sign, const Range& said) {
+  const std::span all{words};
+  Words result;
+  const auto add = [&](std::size_t begin, std::size_t end) {
+    const auto part = all.subspan(begin, end - begin);
+    result.insert(result.end(), part.begin(), part.end());
+  };
+  add(0, old.begin);
+  add(said.begin, said.end);
+  add(old.end, sign.begin);
+  add(said.end, words.size());
+  return result;
+}
+
+/// "The ball", after the sign.
+std::optional<Words> with_thing(const Words& words, const Range& sign, const Range& said) {
+  const auto& noun = words[said.end - 1];
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < sign.begin; ++i)
+    if (words[i] == noun)
+      places.push_back(i);
+  // "... the ball, no, the blue one" is of the same kind as the last.
+  const auto at = places.size() == 1 ? places.front() : sign.begin - 1;
+  const auto old = phrase_at(words, at);
+  return old ? std::optional{spliced(words, *old, sign, said)} : std::nullopt;
+}
+
+/// "On the right of it", after the sign, which was on the left.
+std::optional<Words> with_side(const Words& words, const Range& sign, const Range& said) {
+  const auto side = std::find_if(words.begin() + static_cast<std::ptrdiff_t>(said.begin),
+                                 words.begin() + static_cast<std::ptrdiff_t>(said.end), is_side);
+  const bool is_of_it = side + 2 < words.end() && *(side + 1) == "of" && *(side + 2) == "it";
+  if (side == words.begin() + static_cast<std::ptrdiff_t>(said.end) || !is_of_it)
+    return std::nullopt;
+  auto at = sign.begin;
+  while (at > 0 && !is_side(words[at - 1]))
+    --at;
+  if (at == 0)
+    return std::nullopt;
+  const auto position = static_cast<std::size_t>(side - words.begin());
+  auto result = spliced(words, {at - 1, at}, sign, {position, position + 1});
+  // Without "of it", which is said already.
+  result.erase(result.begin() + static_cast<std::ptrdiff_t>(sign.begin),
+               result.begin() + static_cast<std::ptrdiff_t>(sign.begin + 2));
+  return result;
 }
 
 } // namespace
 
 std::optional<Words> self_corrected(const Words& words) {
-  // "... , no , i mean | the green cube".
-  const auto is_article = [](const std::string& x) { return x == "the" || x == "a"; };
-  const auto last = std::find_if(words.rbegin(), words.rend(), is_article);
-  if (last == words.rend() || last == words.rbegin())
+  const auto sign = sign_in(words);
+  if (!sign)
     return std::nullopt;
-  const auto phrase = std::prev(last.base());
-  const auto length = std::distance(phrase, words.end()) - 1;
-  if (length > most_words_of_phrase ||
-      std::find(phrase, words.end(), std::string{","}) != words.end())
-    return std::nullopt;
-  auto sign = phrase;
-  while (sign != words.begin() && may_belong_to_sign(*std::prev(sign)))
-    --sign;
-  if (sign == phrase || *sign != "," || std::none_of(sign, phrase, is_sign))
-    return std::nullopt;
-  const auto& noun = words.back();
-  if (sign == words.begin() || *std::prev(sign) == noun ||
-      std::count(words.begin(), sign, noun) != 1)
-    return std::nullopt;
-  const auto old = std::find(words.begin(), sign, noun);
-  auto article = old;
-  while (article != words.begin() && old - article <= most_words_of_phrase && !is_article(*article))
-    --article;
-  if (!is_article(*article))
-    return std::nullopt;
-  Words result{words.begin(), article};
-  result.insert(result.end(), phrase, words.end());
-  result.insert(result.end(), std::next(old), sign);
-  return result;
+  const auto begin = words.begin() + static_cast<std::ptrdiff_t>(sign->end);
+  const auto end = std::find(begin, words.end(), std::string{","});
+  const Range said{sign->end, static_cast<std::size_t>(end - words.begin())};
+  const auto length = said.end - said.begin;
+  if (is_article(words[said.begin]) && length > 1 && length <= most_words_of_phrase + 1)
+    return with_thing(words, *sign, said);
+  if (is_among(words[said.begin], {"on", "to", "at"}) && length >= 3)
+    return with_side(words, *sign, said);
+  return std::nullopt;
 }
 
 } // namespace castor::communication

@@ -25,7 +25,9 @@ TableGoal TableGoalMaker::put_back() {
   for (const auto* x : things_) {
     if (x->waypoint_before.empty())
       return refusal("I have not moved " + x->words + ": it is where I saw it first.");
-    facts_.push_back(at_waypoint(*x, x->waypoint_before));
+    // It may have stood somewhere else on its way.
+    facts_.push_back(at_waypoint(*x, x->waypoint_before_goal.empty() ? x->waypoint_before
+                                                                     : x->waypoint_before_goal));
   }
   return goal("put " + listed(things_) + " back",
               listed(things_) + are(things_) + " where " + it_was() + " before");

@@ -46,11 +46,11 @@ std::string in_order(std::span<const TableMove> moves) {
 }
 
 /// Of the moves of the things that are asked about.
-class HistoryAnswer {
+class HistoryQuestion {
 public:
-  HistoryAnswer(const communication::DirectiveStep& step, std::span<const TableThing> table,
-                const TableHistory& history)
-    : moves_(history.moves), remembered_(history.remembered) {
+  HistoryQuestion(const communication::DirectiveStep& step, std::span<const TableThing> table,
+                  const TableHistory& history)
+    : table_(table), moves_(history.moves), remembered_(history.remembered) {
     for (const auto& x : table)
       if (step.things.empty() || std::ranges::any_of(step.things, [&](const auto& proxy) {
             return find_thing(table, proxy) == &x;
@@ -64,23 +64,26 @@ public:
     moves_ = remembered_.size();
   }
 
-  std::string to(std::string_view action) const {
+  HistoryAnswer answer(std::string_view action) const {
     if (action == "NotMoved")
       return which_were_not_moved();
     if (remembered_.empty())
-      return "I have moved nothing.";
+      return {"I have moved nothing."};
+    const std::span all{remembered_};
     if (action == "LastMoved")
-      return "The last thing that I moved is " + remembered_.back().words +
-             (remembered_.back().because.empty() ? "" : ": " + remembered_.back().because) + '.';
+      return {"The last thing that I moved is " + remembered_.back().words +
+                (remembered_.back().because.empty() ? "" : ": " + remembered_.back().because) + '.',
+              proxies(all.last(1))};
+    if (action == "FirstMoved" && moves_ > remembered_.size())
+      return {"I do not remember what I moved first: that is too long ago."};
     if (action == "FirstMoved")
-      return moves_ > remembered_.size()
-               ? "I do not remember what I moved first: that is too long ago."
-               : "The first thing that I moved is " + remembered_.front().words + '.';
+      return {"The first thing that I moved is " + remembered_.front().words + '.',
+              proxies(all.first(1))};
     if (action == "HowManyMoves")
-      return "I have made " + counted(moves_, "move") + ": " + last_in_order();
+      return {"I have made " + counted(moves_, "move") + ": " + last_in_order(), proxies(all)};
     if (action == "MovesInOrder")
-      return "I have moved " + last_in_order();
-    return moved(action == "MovedForThat" ? moved_for_the_last() : std::span{remembered_});
+      return {"I have moved " + last_in_order(), proxies(all)};
+    return moved(action == "MovedForThat" ? moved_for_the_last() : all);
   }
 
 private:
@@ -99,7 +102,16 @@ private:
     return {before.base(), remembered_.end()};
   }
 
-  static std::string moved(std::span<const TableMove> moves) {
+  /// Of what was moved and is still there.
+  std::vector<std::string> proxies(std::span<const TableMove> moves) const {
+    std::vector<std::string> result;
+    for (const auto& x : table_)
+      if (std::ranges::find(moves, x.object, &TableMove::object) != moves.end())
+        result.push_back(x.proxy);
+    return result;
+  }
+
+  HistoryAnswer moved(std::span<const TableMove> moves) const {
     Words names;
     std::vector<std::string> objects;
     for (const auto& x : moves)
@@ -107,18 +119,24 @@ private:
         objects.push_back(x.object);
         names.push_back(x.words);
       }
-    return "I have moved " + (names.size() == 1 ? "" : counted(names.size(), "thing") + ": ") +
-           listed(names) + '.';
+    return {"I have moved " + (names.size() == 1 ? "" : counted(names.size(), "thing") + ": ") +
+              listed(names) + '.',
+            proxies(moves)};
   }
 
-  std::string which_were_not_moved() const {
+  HistoryAnswer which_were_not_moved() const {
     Words names;
+    std::vector<std::string> things;
     for (const auto* x : things_)
-      if (std::ranges::find(remembered_, x->object, &TableMove::object) == remembered_.end())
+      if (std::ranges::find(remembered_, x->object, &TableMove::object) == remembered_.end()) {
         names.push_back(x->words);
-    return names.empty() ? "I have moved all of them." : "I have not moved " + listed(names) + '.';
+        things.push_back(x->proxy);
+      }
+    return {names.empty() ? "I have moved all of them." : "I have not moved " + listed(names) + '.',
+            std::move(things)};
   }
 
+  std::span<const TableThing> table_;
   std::uint64_t moves_ = 0;
   std::vector<TableMove> remembered_;
   std::vector<const TableThing*> things_;
@@ -133,9 +151,9 @@ bool asks_about_history(std::string_view action) {
   return std::ranges::find(questions, action) != questions.end();
 }
 
-std::string answer_about_history(const communication::DirectiveStep& step,
-                                 std::span<const TableThing> table, const TableHistory& history) {
-  return HistoryAnswer{step, table, history}.to(step.action);
+HistoryAnswer answer_about_history(const communication::DirectiveStep& step,
+                                   std::span<const TableThing> table, const TableHistory& history) {
+  return HistoryQuestion{step, table, history}.answer(step.action);
 }
 
 } // namespace castor::planning

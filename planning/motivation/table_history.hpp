@@ -24,9 +24,15 @@ struct TableHistory {
 /// Whether a step asks about the moves that were made.
 bool asks_about_history(std::string_view action);
 
-/// The answer in words. Of a step with things, it is about these only.
+struct HistoryAnswer {
+  std::string words;
+  /// Proxies of the things that it names as moved or not.
+  std::vector<std::string> things = {};
+};
+
+/// Of a step with things, it is about these only.
 /// @pre asks_about_history() of its action
-std::string answer_about_history(const communication::DirectiveStep& step,
-                                 std::span<const TableThing> table, const TableHistory& history);
+HistoryAnswer answer_about_history(const communication::DirectiveStep& step,
+                                   std::span<const TableThing> table, const TableHistory& history);
 
 } // namespace castor::planning

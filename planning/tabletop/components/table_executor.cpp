@@ -59,8 +59,10 @@ class TableExecutor final : public FindsPlaces {
   TableGoalReply goal(const TableGoalRequest& request) {
     const auto& step = request.step;
     see();
-    if (asks_about_history(step.action))
-      return {answer_about_history(step, memory_.things({}), memory_.history()), {}, {}, {}, {}};
+    if (asks_about_history(step.action)) {
+      auto answer = answer_about_history(step, memory_.things({}), memory_.history());
+      return {std::move(answer.words), {}, {}, {}, std::move(answer.things)};
+    }
     std::set<std::string> parts;
     for (const auto& place : step.places)
       if (place.landmarks.empty() && is_seen_part(place.relation))

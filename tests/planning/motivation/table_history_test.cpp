@@ -16,7 +16,7 @@ const std::vector<TableThing> table{{"p/a", "a", "at-a", "the red ball"},
 
 std::string answer(const std::string& action, const TableHistory& history,
                    const std::vector<std::string>& things = {}) {
-  return answer_about_history({action, things, 0, {}, {}}, table, history);
+  return answer_about_history({action, things, 0, {}, {}}, table, history).words;
 }
 
 const TableMove ball{"a", "the red ball"};
