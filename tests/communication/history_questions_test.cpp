@@ -25,6 +25,7 @@ TEST(HistoryQuestions, AskWhatWasMoved) {
         "what have you displaced until now"})
     EXPECT_EQ(question(said), "which things have you moved") << said;
   EXPECT_EQ(question("How many balls have been shifted so far?"), "which balls have you moved");
+  EXPECT_EQ(question("what have you just moved"), "which things have you moved for that");
   EXPECT_EQ(question("tell me what has not been moved"), "which things have you not moved");
   EXPECT_EQ(question("which cubes did you not touch"), "which cubes have you not moved");
 }

@@ -175,6 +175,30 @@ TEST_F(CarriedOutPlans, PutAThingDownBetweenToHoldItInAnotherWay) {
   EXPECT_EQ(body_->status().collisions, 0) << body_->status().collision;
 }
 
+/// A cube that stands askew can be grasped from above only, until it is turned at hand.
+TEST_F(CarriedOutPlans, TurnAThingAtHandToBringItFarOut) {
+  auto cube = thing("the cube", box(0.055, 0.055, 0.055), 0.31, -0.02, 0.0275);
+  cube.pose.rotation = geometry::rotation_about_z(20 * degree);
+  set_table({cube});
+  const auto far = at(0.47, -0.14);
+  for (int stops = 0; stops < 4; ++stops) {
+    const auto scene = body_->world().scene();
+    auto plan = planner_.pick_and_place(scene, "the cube", far, body_->configuration());
+    if (auto* found = std::get_if<ManipulationPlan>(&plan)) {
+      ASSERT_TRUE(carry_out_all(*found)) << stopped_at_;
+      break;
+    }
+    StopsBetween between{planner_, scene, "the cube", free_places({}, 0.055, true),
+                         body_->configuration()};
+    const auto stop = between.plan_to(far);
+    ASSERT_TRUE(stop);
+    ASSERT_TRUE(carry_out_all(*stop)) << stopped_at_;
+  }
+  EXPECT_NEAR(place_of("the cube").x, 0.47, 0.012);
+  EXPECT_NEAR(place_of("the cube").y, -0.14, 0.012);
+  EXPECT_EQ(body_->status().collisions, 0) << body_->status().collision;
+}
+
 TEST_F(CarriedOutPlans, EndAtAMissedGrasp) {
   ArmBodyOptions options;
   options.missed_grasp = 1;

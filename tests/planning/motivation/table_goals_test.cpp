@@ -308,11 +308,59 @@ TEST(TableGoals, WhereAThingWasIsSaidByOthers) {
 
 TEST(TableGoals, WhatIsHeldIsPutDown) {
   EXPECT_EQ(refused({"PutDown", {}, 0, {}, {}}), "I do not hold anything.");
-  EXPECT_EQ(refused({"PutDown", {"p/a"}, 0, {}, {}}), "I do not hold that.");
+  // That is no reason to leave out what else was asked for.
+  const auto not_held = goal_of({"PutDown", {"p/a"}, 0, {}, {}}, table);
+  EXPECT_EQ(not_held.wish, TableWish::answer);
+  EXPECT_EQ(not_held.words, "I do not hold the red ball.");
   auto holding = table;
   holding.front().is_held = true;
   EXPECT_EQ(goal_of({"PutDown", {}, 0, {}, {}}, holding).formula, "(and (in-part a table))");
   EXPECT_EQ(goal_of({"Give", {}, 0, {}, {}}, holding).formula, "(and (in-part a at-hand))");
+}
+
+TEST(TableGoals, WhatIsDoneBeforeTakingIsSaid) {
+  auto things = table;
+  things[0].is_held = true;
+  EXPECT_EQ(goal_of({"Take", {"p/b"}, 0, {}, {}}, things).words,
+            "put down the red ball and take the blue ball");
+  things = table;
+  things[0].on = "c";
+  EXPECT_EQ(goal_of({"Take", {"p/c"}, 0, {}, {}}, things).words,
+            "take the red ball off the red box and take the red box");
+}
+
+TEST(TableGoals, OnBothOfAStackIsOnTheUpperOne) {
+  auto things = table;
+  things[2].on = "a";
+  EXPECT_EQ(goal_of({"Put", {"p/b"}, 0, {{"on", {"p/a", "p/c"}}}, {}}, things).formula,
+            "(and (on b c))");
+  EXPECT_EQ(refused({"Put", {"p/b"}, 0, {{"on", {"p/a", "p/c"}}}, {}}),
+            "It can stand on one thing only.");
+}
+
+TEST(TableGoals, InTheMiddleIsBesideWhatIsThere) {
+  auto things = table;
+  things[2].x = 0.01;
+  const auto goal = goal_of({"Put", {"p/b"}, 0, {{"centre", {}}}, {}}, things);
+  EXPECT_EQ(goal.words,
+            "put the blue ball as near to the middle as there is room beside the red box");
+  EXPECT_EQ(goal_of({"Put", {"p/b"}, 0, {{"centre", {}}}, {}}, table).words,
+            "put the blue ball in the middle");
+}
+
+TEST(TableGoals, OneOfEachColourStandsInARow) {
+  auto things = table;
+  things[2].qualities["colour"] = "green";
+  const auto goal = goal_of({"Sort", {"p/a", "p/b", "p/c"}, 0, {}, "colour"}, things);
+  EXPECT_EQ(goal.words, "sort the things by colour: each has a colour of its own");
+  EXPECT_THAT(goal.result, HasSubstr("are in a row now: each has a colour of its own."));
+}
+
+TEST(TableGoals, BackIsWhereItWasBeforeTheGoalThatMovedItTwice) {
+  auto things = table;
+  things[2].waypoint_before = "on-its-way";
+  things[2].waypoint_before_goal = "at-old";
+  EXPECT_EQ(goal_of({"PutBack", {"p/c"}, 0, {}, {}}, things).formula, "(and (= (pos c) at-old))");
 }
 
 TEST(TableGoals, WhatCannotBeIsSaidWithTheReason) {

@@ -19,6 +19,10 @@ std::string answer(const std::string& action, const TableHistory& history,
   return answer_about_history({action, things, 0, {}, {}}, table, history).words;
 }
 
+std::vector<std::string> things_named(const std::string& action, const TableHistory& history) {
+  return answer_about_history({action, {}, 0, {}, {}}, table, history).things;
+}
+
 const TableMove ball{"a", "the red ball"};
 const TableMove box{"c", "the red box"};
 /// It is not on the table any more.
@@ -34,6 +38,11 @@ TEST(TableHistory, IsAskedByQuestions) {
     EXPECT_TRUE(is_question(action));
   }
   EXPECT_FALSE(asks_about_history("WhereWas"));
+}
+
+TEST(TableHistory, TellsWhichThingsItNames) {
+  EXPECT_EQ(things_named("WhichMoved", three), std::vector<std::string>{"p/a"});
+  EXPECT_EQ(things_named("NotMoved", three), (std::vector<std::string>{"p/b", "p/c"}));
 }
 
 TEST(TableHistory, SaysWhatWasMoved) {

@@ -239,6 +239,48 @@ TEST_F(RequestQueueTest, ReplacesTheLastRequestOnlyIfSeveralWait) {
   EXPECT_THAT(rest(), ElementsAre("Give", "Push"));
 }
 
+TEST_F(RequestQueueTest, TriesAnotherOneOfThoseThatWillDo) {
+  auto one = step("a", "Put");
+  one.what.things = {"x", "y"};
+  one.what.number = 1;
+  queue.add({one}, {});
+  queue.next();
+  queue.begin(motive("m"), "", {"x"});
+  EXPECT_TRUE(queue.try_again(false));
+  const auto* next = queue.next();
+  ASSERT_NE(next, nullptr);
+  EXPECT_THAT(next->what.things, ElementsAre("y"));
+  queue.begin(motive("n"), "", {"y"});
+  EXPECT_FALSE(queue.try_again(false));
+}
+
+TEST_F(RequestQueueTest, TriesOnceMoreWhatIsLeftOfSeveral) {
+  auto all = step("a", "Put");
+  all.what.things = {"x", "y"};
+  queue.add({all}, {});
+  begin();
+  EXPECT_FALSE(queue.try_again(false));
+  EXPECT_TRUE(queue.try_again(true));
+  begin();
+  EXPECT_FALSE(queue.try_again(true));
+}
+
+TEST_F(RequestQueueTest, DoesNotPutBackTwiceWhatACorrectionPutsBack) {
+  const auto put = [](const std::string& move, const std::string& thing) {
+    auto result = step(move, "Put");
+    result.what.things = {thing};
+    result.what.places = {{"left", {}}};
+    return result;
+  };
+  auto back = step("b", "PutBack");
+  back.what.things = {"x"};
+  queue.add({put("a", "x")}, {});
+  begin();
+  queue.done();
+  queue.add({put("b", "y"), back}, correction());
+  EXPECT_THAT(rest(), ElementsAre("PutBack", "Put"));
+}
+
 TEST_F(RequestQueueTest, AddsACorrectionOfWhatIsDoneAlready) {
   queue.add({step("a", "Take")}, {});
   begin();
