@@ -146,17 +146,9 @@ std::vector<Point3> free_places(const std::vector<SeenThing>& things, double wid
         found.emplace_back(room, place);
     }
   std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<double, Point3>::first);
-  // The roomiest are enough, of those at hand and of those farther out.
-  constexpr std::size_t most = 18;
-  constexpr double at_hand = 0.27;
-  std::size_t near = 0;
-  std::size_t far = 0;
   std::vector<Point3> result;
-  for (const auto& [room, place] : found)
-    if (auto& count = std::hypot(place.x, place.y) < at_hand ? near : far; count < most) {
-      ++count;
-      result.push_back(place);
-    }
+  for (const auto& x : found)
+    result.push_back(x.second);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <variant>
@@ -35,6 +36,23 @@ std::vector<double> turns_of(const NamedSolid& thing) {
                                             : std::vector{0.0};
 }
 
+double gap(const Point3& x) {
+  return std::hypot(x.x, x.y);
+}
+
+/// Some of the places at each distance from the arm, the first ones; more at hand.
+std::vector<Point3> of_all_distances(const std::vector<Point3>& places) {
+  constexpr double step = 0.02;
+  constexpr int most_near = 4;
+  constexpr int most_far = 2;
+  std::map<long, int> counts;
+  std::vector<Point3> result;
+  for (const auto& x : places)
+    if (++counts[std::lround(gap(x) / step)] <= (gap(x) < straight_down ? most_near : most_far))
+      result.push_back(x);
+  return result;
+}
+
 PlaceGoal between(const Point3& place, double turn) {
   return {place, 0, "the table", "a place between", turn};
 }
@@ -47,8 +65,7 @@ StopsBetween::StopsBetween(const ManipulationPlanner& planner, Scene scene, std:
     start_(std::move(start)) {
   const auto turns = turns_of(named(scene_, thing_));
   // Where it can be turned, the farthest first: from there it gets farther out than from others.
-  const auto gap = [](const Point3& x) { return std::hypot(x.x, x.y); };
-  auto stops = places;
+  auto stops = of_all_distances(places);
   const auto farther =
     std::ranges::stable_partition(stops, [&](const Point3& x) { return gap(x) < straight_down; });
   const auto first_farther = stops.size() - farther.size();
