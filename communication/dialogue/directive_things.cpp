@@ -210,7 +210,7 @@ MeantThings DirectiveThings::things_named(const Nominal& phrase) {
     return indefinite(phrase);
   // "Leave the balls alone, and put the rest at the back."
   if (is_plural(phrase) && is_others && !antecedents_.contains(phrase.name) && last_)
-    return {all_but(all_but(scene_.things(), last_->things), of_steps_), 0};
+    return {all_but(scene_.things(), of_steps_), 0};
   if (is_plural(phrase) && is_others && !antecedents_.contains(phrase.name) &&
       scene_.open_questions().empty())
     return {all_but_landmarks(phrase), 0};

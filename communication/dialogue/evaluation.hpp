@@ -84,7 +84,6 @@ public:
   /// Of which things a clause is true if they stand for one of its phrases: what a question asks
   /// for. Only things that fit the phrase, too.
   Fitting answers(const Nominal& e, const Nominal& asked);
-  Fitting outermost_answer(const Nominal& e, const Nominal& asked);
 
   /// Of which things a clause is true if its subject stands for them, whatever that may mean.
   Fitting subjects(const Nominal& e, const Nominal& subject);
@@ -260,6 +259,7 @@ private:
   std::optional<std::string> distinguished_by_size(const Nominal& phrase);
   std::optional<std::string> distinguished_by_side(const Nominal& phrase);
   std::optional<std::string> outermost(const Things& things, const std::string& side) const;
+  Fitting outermost_answer(const Nominal& e, const Nominal& asked);
   Truth compares(const std::string& id, const Nominal& comparison);
   Truth compares_with_length(const std::string& id, const Nominal& comparison,
                              const Nominal& length);

@@ -96,18 +96,17 @@ std::optional<Words> with_thing(const Words& words, const Range& sign, const Ran
 
 /// "On the right of it", after the sign, which was on the left.
 std::optional<Words> with_side(const Words& words, const Range& sign, const Range& said) {
-  const auto side = std::find_if(words.begin() + static_cast<std::ptrdiff_t>(said.begin),
-                                 words.begin() + static_cast<std::ptrdiff_t>(said.end), is_side);
-  const bool is_of_it = side + 2 < words.end() && *(side + 1) == "of" && *(side + 2) == "it";
-  if (side == words.begin() + static_cast<std::ptrdiff_t>(said.end) || !is_of_it)
+  auto side = said.begin;
+  while (side < said.end && !is_side(words[side]))
+    ++side;
+  if (side + 2 >= words.size() || words[side + 1] != "of" || words[side + 2] != "it")
     return std::nullopt;
   auto at = sign.begin;
   while (at > 0 && !is_side(words[at - 1]))
     --at;
   if (at == 0)
     return std::nullopt;
-  const auto position = static_cast<std::size_t>(side - words.begin());
-  auto result = spliced(words, {at - 1, at}, sign, {position, position + 1});
+  auto result = spliced(words, {at - 1, at}, sign, {side, side + 1});
   // Without "of it", which is said already.
   result.erase(result.begin() + static_cast<std::ptrdiff_t>(sign.begin),
                result.begin() + static_cast<std::ptrdiff_t>(sign.begin + 2));

@@ -133,7 +133,6 @@ class ArmExecutor final : public ResumesManipulation {
     if (thing == things.end())
       return query;
     auto& ways = ways_of(*thing, things);
-    auto& ways_among_others = ways_of(*thing, things, false);
     const auto to_arm = geometry::inverse(placement(), arm_frame);
     for (const auto& point : query.points) {
       PlaceGoal goal;
@@ -142,7 +141,9 @@ class ArmExecutor final : public ResumesManipulation {
       goal.support = "the table";
       const bool is_direct = planner_->landing_of(ways.ways_from_here(), goal).has_value();
       // The stops are made before anything else is moved.
-      const auto is_by_stop = [&] { return ways.reach(goal) && ways_among_others.reach(goal); };
+      const auto is_by_stop = [&] {
+        return ways.reach(goal) && ways_of(*thing, things, false).reach(goal);
+      };
       query.reach.push_back(is_direct                               ? spatial::Reach::direct
                             : query.may_put_between && is_by_stop() ? spatial::Reach::by_stop
                                                                     : spatial::Reach::none);

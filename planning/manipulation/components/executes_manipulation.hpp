@@ -47,6 +47,7 @@ protected:
     options.motions.algorithm = planning_algorithm(algorithm_.get());
     stops_between_.reset();
     ways_.clear();
+    ways_among_others_.clear();
     planner_.emplace(able_, options);
     ReachMapOptions reach;
     reach.width = table_width_;
@@ -70,6 +71,7 @@ protected:
 
   void begin(const std::string& task, const EntryPointer<vision::SceneObject>& what) {
     ways_.clear();
+    ways_among_others_.clear();
     told_ = {};
     told_.task = task;
     told_.what = what;
