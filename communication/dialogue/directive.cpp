@@ -2,6 +2,7 @@
 
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/directive_places.hpp"
+#include "castor/communication/dialogue/directive_sequence.hpp"
 #include "castor/communication/dialogue/directive_things.hpp"
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/stacks.hpp"
@@ -45,14 +46,6 @@ bool is_formation(std::string_view relation) {
   return is_arrangement(relation) || relation == "in-triangle";
 }
 
-bool is_opposite(std::string_view a, std::string_view b) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> opposites{
-    {{"left", "right"}, {"front", "back"}}};
-  return std::ranges::any_of(opposites, [&](const auto& x) {
-    return (a == x.first && b == x.second) || (a == x.second && b == x.first);
-  });
-}
-
 class StepReader {
 public:
   StepReader(const LogicalForm& form, const Antecedents& antecedents, SceneKnowledge& scene)
@@ -64,14 +57,7 @@ public:
       if (x.sort == "conjunction" && is_negated(x) && feature(x, "Mood") == "imp")
         throw Uninterpretable{Reason::word, x.proposition};
     for_each_action(form_, *root, [this](auto& x) { add(x); });
-    exchange();
-    put_others_on();
-    mind_what_moves();
-    resolve_there();
-    keep_others_only();
-    drop_sorting_that_is_told();
-    drop_needless();
-    return std::move(steps_);
+    return taken_together(std::move(steps_), form_, vocabulary());
   }
 
 private:
@@ -84,13 +70,6 @@ private:
     if (known == actions.end())
       throw Uninterpretable{Reason::word, verb};
     return known->second;
-  }
-
-  /// Whether a step is what the verb asks for.
-  bool does(const DirectiveStep& step, const std::string& verb) const {
-    const auto& actions = vocabulary().meanings().actions;
-    const auto known = actions.find(verb);
-    return known != actions.end() && step.action == known->second;
   }
 
   void add(const Nominal& x) {
@@ -243,101 +222,6 @@ private:
            (feature(x, "Permission") == "true" && x.proposition == "move" && is_alone);
   }
 
-  /// "Put the cube under the ball": the ball on the cube.
-  void put_others_on() {
-    for (auto& step : steps_) {
-      const bool is_under = step.places.size() == 1 && step.places.front().relation == "under" &&
-                            step.places.front().landmarks.size() == 1 && step.things.size() == 1;
-      if (!is_under || step.number != 0)
-        continue;
-      step.places.front().relation = "on";
-      std::swap(step.things, step.places.front().landmarks);
-    }
-  }
-
-  /// "Push the ball towards the cube without touching it": what is to be moved is not what is not
-  /// to be touched.
-  void keep_others_only() {
-    const bool is_meanwhile = std::ranges::any_of(
-      form_.nominals, [](const Nominal& x) { return feature(x, "Meanwhile") == "true"; });
-    if (!is_meanwhile || steps_.size() != 2 || steps_.back().action != action_for("forbid") ||
-        steps_.back().things != steps_.front().things)
-      return;
-    if (const auto& places = steps_.front().places;
-        !places.empty() && !places.front().landmarks.empty())
-      steps_.back().things = places.front().landmarks;
-    else
-      steps_.pop_back();
-  }
-
-  /// "The ball where the cube is, and the cube where the ball is": they change places.
-  void exchange() {
-    if (steps_.size() != 2)
-      return;
-    const auto goes_where = [](const DirectiveStep& x, const DirectiveStep& other) {
-      return x.things.size() == 1 && x.places.size() == 1 && x.places.front().relation == "where" &&
-             x.places.front().landmarks == other.things;
-    };
-    auto& first = steps_.front();
-    if (goes_where(first, steps_.back()) && goes_where(steps_.back(), first))
-      steps_ = {DirectiveStep{
-        action_for("swap"), {first.things.front(), steps_.back().things.front()}, 0, {}, {}}};
-  }
-
-  /// "The cylinder in the middle, and the cube where the cylinder is now": where that was before.
-  void mind_what_moves() {
-    for (auto step = steps_.begin(); step != steps_.end(); ++step)
-      for (auto& place : step->places)
-        if (place.relation == "where" &&
-            std::any_of(steps_.begin(), step, [&](const DirectiveStep& before) {
-              return !before.places.empty() && before.things == place.landmarks;
-            }))
-          place.relation = "where-before";
-  }
-
-  /// "Clear the right side and put the cylinder there": where the step before is done.
-  void resolve_there() {
-    for (std::size_t i = 1; i < steps_.size(); ++i)
-      if (auto& places = steps_[i].places;
-          places.size() == 1 && places.front().relation == "there" && !steps_[i - 1].places.empty())
-        places = steps_[i - 1].places;
-  }
-
-  /// "Sort them by shape: the balls on the left and the cubes on the right": where they go is said.
-  void drop_sorting_that_is_told() {
-    if (steps_.size() < 3 || !does(steps_.front(), "sort"))
-      return;
-    const auto& sorted = steps_.front().things;
-    const bool is_told = std::all_of(steps_.begin() + 1, steps_.end(), [&](const auto& x) {
-      return !x.places.empty() && std::ranges::all_of(x.things, [&](const auto& thing) {
-        return std::ranges::find(sorted, thing) != sorted.end();
-      });
-    });
-    if (is_told)
-      steps_.erase(steps_.begin());
-  }
-
-  /// "Lift the ball and hold it there"; "take the balls and put them on the left", of which only
-  /// one at a time can be held.
-  void drop_needless() {
-    for (std::size_t i = 0; i + 1 < steps_.size();) {
-      const auto& x = steps_[i];
-      const auto& next = steps_[i + 1];
-      const bool is_said_again = x == next;
-      // "Put it down and let go of it."
-      if (is_said_again && does(x, "drop")) {
-        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
-        continue;
-      }
-      const bool are_put_anyway =
-        x.things.size() > 1 && x.number == 0 && x.things == next.things && next.number == 0;
-      if (x.action == action_for("take") && (is_said_again || are_put_anyway))
-        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
-      else
-        ++i;
-    }
-  }
-
   // -- kinds of steps
 
   void read_destination(const Nominal& x, const Nominal& destination, DirectiveStep& step) {
@@ -444,7 +328,7 @@ private:
   Things landmarks_of(const PlacePhrase& place, const Meant& meant) {
     const auto& before = meant_.landmarks_before();
     const bool is_parallel = !steps_.empty() && steps_.back().places.size() == 1 &&
-                             is_opposite(steps_.back().places.front().relation, place.relation);
+                             opposite_of(steps_.back().places.front().relation) == place.relation;
     if (is_parallel && before.size() == 1 && is_pronoun(*place.landmark) &&
         !is_plural(*place.landmark))
       return before;

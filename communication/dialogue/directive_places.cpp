@@ -4,7 +4,9 @@
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/numerals.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -167,17 +169,17 @@ PlacePhrase part_named(const LogicalForm& form, const Nominal& x, const Vocabula
   return side_of(*owner, part(x.proposition));
 }
 
+std::optional<std::string_view> opposite_of(std::string_view side) {
+  // Opposites follow each other.
+  constexpr std::array<std::string_view, 4> sides{"left", "right", "front", "back"};
+  const auto known = std::ranges::find(sides, side);
+  if (known == sides.end())
+    return std::nullopt;
+  return sides[static_cast<std::size_t>(known - sides.begin()) ^ 1U];
+}
+
 std::string part_away_from(std::string_view part) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> others{
-    {{"left", "right"},
-     {"right", "left"},
-     {"front", "back"},
-     {"back", "front"},
-     {"centre", "elsewhere"}}};
-  for (const auto& [from, to] : others)
-    if (part == from)
-      return std::string{to};
-  return "centre";
+  return std::string{opposite_of(part).value_or(part == "centre" ? "elsewhere" : "centre")};
 }
 
 std::vector<PlacePhrase> places_named(const LogicalForm& form, const Nominal& destination,

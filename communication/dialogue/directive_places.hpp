@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/vocabulary.hpp"
 #include "castor/communication/types.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,5 +34,8 @@ PlacePhrase part_named(const LogicalForm& form, const Nominal& part, const Vocab
 
 /// The part where something goes that is to be away from one.
 std::string part_away_from(std::string_view part);
+
+/// "left", "right", "front" or "back", if the other side is one of them; otherwise nothing.
+std::optional<std::string_view> opposite_of(std::string_view side);
 
 } // namespace castor::communication

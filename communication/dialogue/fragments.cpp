@@ -2,6 +2,7 @@
 
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/dialogue/directive_places.hpp"
 #include "castor/communication/dialogue/substitution.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/numerals.hpp"
@@ -293,14 +294,6 @@ bool asks_for_more(const LogicalForm& said) {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> directions{"left", "right", "front", "back"};
-
-/// Opposites follow each other.
-std::string_view opposite_of(std::string_view side) {
-  const auto known = std::ranges::find(directions, side) - directions.begin();
-  return directions[static_cast<std::size_t>(known) ^ 1U];
-}
-
 std::optional<double> number_after(std::string_view text, std::string_view prefix) {
   if (!text.starts_with(prefix))
     return std::nullopt;
@@ -344,7 +337,7 @@ std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, 
     return is_changed || !is_of_gap ? std::optional{request} : std::nullopt;
   }
   std::string side = region.proposition.substr(region.proposition.find('-') + 1);
-  const auto known = std::ranges::find(directions, side);
+  const auto opposite = opposite_of(side);
   // To who speaks, in front.
   if (is_of_gap) {
     if (side != "front" && side != "back" && side != "here")
@@ -353,11 +346,11 @@ std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, 
     set_degree(region, "small");
     return request;
   }
-  if (known == directions.end())
+  if (!opposite)
     return request;
   if (const auto change = length_change(region, more)) {
     if (*change < 0)
-      side = opposite_of(side);
+      side = *opposite;
     region.proposition = "further-" + side;
     set_degree(region, "more", numeral(std::abs(*change)));
     return request;
@@ -366,7 +359,7 @@ std::optional<LogicalForm> repeated(LogicalForm request, std::string_view more, 
     return std::nullopt;
   if (more == "half-back") {
     // Without a length it went as far as "further" or "a bit" says.
-    side = opposite_of(side);
+    side = *opposite;
     const auto length = feature(region, "Centimetres");
     double number = feature(region, "Degree") == "small" ? 4 : 8;
     std::from_chars(length.data(), length.data() + length.size(), number);
