@@ -87,6 +87,8 @@ private:
         return add(*otherwise);
       }
     }
+    if (is_why_others_take_back(x))
+      return;
     check_clauses(x);
     DirectiveStep step;
     if (forbids(x)) {
@@ -98,9 +100,6 @@ private:
       take(meant_.things(need(x, "Patient")), need(x, "Patient"), step);
     } else
       read_request(x, step);
-    // "Take it back and put it where it was" is done once.
-    const bool is_said_again = !steps_.empty() && step == steps_.back() &&
-                               step.action == action_for("put-back") && !step.things.empty();
     // "Leave the balls alone and move the others. Now the balls as well", "now you may move it
     // there".
     const bool allows = feature(x, "Allows") == "true" || feature(x, "Permission") == "true";
@@ -108,9 +107,17 @@ private:
         vocabulary().meanings().actions.contains("allow"))
       steps_.push_back({action_for("allow"), step.things, 0, {}, std::string{by_the_way}});
     do_first(x, step);
-    if (!is_said_again)
-      steps_.push_back(std::move(step));
+    steps_.push_back(std::move(step));
     meant_.end_step(!steps_.back().things.empty());
+  }
+
+  /// "I liked it better before, undo that" asks for that once.
+  bool is_why_others_take_back(const Nominal& x) const {
+    return feature(x, "Implied") == "true" &&
+           std::ranges::any_of(form_.nominals, [&](const Nominal& other) {
+             return other.sort == "action" && feature(other, "Implied").empty() &&
+                    is_among(other.proposition, {"undo", "put-back", "restore"});
+           });
   }
 
   /// "Give me the balls, beginning with the red one": that one first, and then the others.

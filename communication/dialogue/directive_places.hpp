@@ -35,7 +35,7 @@ PlacePhrase part_named(const LogicalForm& form, const Nominal& part, const Vocab
 /// The part where something goes that is to be away from one.
 std::string part_away_from(std::string_view part);
 
-/// "left", "right", "front" or "back", if the other side is one of them; otherwise nothing.
+/// "right" for "left", "back" for "front", and the other way round; nothing for what is no side.
 std::optional<std::string_view> opposite_of(std::string_view side);
 
 } // namespace castor::communication

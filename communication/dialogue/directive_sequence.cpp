@@ -64,7 +64,7 @@ void exchange(Steps& steps, const Vocabulary& vocabulary) {
 }
 
 /// "The cylinder in the middle, and the cube where the cylinder is now": where that was before.
-void mind_what_moves(Steps& steps) {
+void use_earlier_places(Steps& steps) {
   for (auto step = steps.begin(); step != steps.end(); ++step)
     for (auto& place : step->places)
       if (place.relation == "where" &&
@@ -103,8 +103,10 @@ void drop_needless(Steps& steps, const Vocabulary& vocabulary) {
     const auto& x = steps[i];
     const auto& next = steps[i + 1];
     const bool is_said_again = x == next;
-    // "Put it down and let go of it."
-    if (is_said_again && does(x, "drop", vocabulary)) {
+    // "Put it down and let go of it", "take it back and put it where it was".
+    const bool is_done_once =
+      does(x, "drop", vocabulary) || (does(x, "put-back", vocabulary) && !x.things.empty());
+    if (is_said_again && is_done_once) {
       steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i));
       continue;
     }
@@ -124,7 +126,7 @@ std::vector<DirectiveStep> taken_together(std::vector<DirectiveStep> steps,
                                           const Vocabulary& vocabulary) {
   exchange(steps, vocabulary);
   put_others_on(steps);
-  mind_what_moves(steps);
+  use_earlier_places(steps);
   resolve_there(steps);
   keep_others_only(steps, request, vocabulary);
   drop_sorting_that_is_told(steps, vocabulary);

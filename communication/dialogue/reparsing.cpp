@@ -83,6 +83,15 @@ std::optional<PackedLogicalForm> parsed_otherwise(Parser& parser, const WordList
   return core.size() < words.size() ? parsed_with_function_words(parser, core) : std::nullopt;
 }
 
+/// Of an utterance that is understood as a whole, but whose second part is about the answer to the
+/// first: "if the ball is red, take it", "how many balls are there, and what colour are they?"
+std::optional<PackedLogicalForm> parsed_in_parts(Parser& parser, const WordList& words) {
+  if (has_condition_on_it(words))
+    return parsed_in_order(parser, words, part_parser(parser));
+  return asks_about_answer(words) ? parsed_question_beside(parser, words, part_parser(parser))
+                                  : std::nullopt;
+}
+
 /// Of what says the same.
 std::optional<PackedLogicalForm> parsed_paraphrase(Parser& parser, WordList words) {
   if (auto result = parsed_without_asking(parser, words))
@@ -92,8 +101,10 @@ std::optional<PackedLogicalForm> parsed_paraphrase(Parser& parser, WordList word
     parse.add(word);
   parse.finish();
   auto form = parse.form();
-  return is_understood(form) ? std::optional{std::move(form)}
-                             : parsed_otherwise(parser, words, form);
+  if (!is_understood(form))
+    return parsed_otherwise(parser, words, form);
+  auto parts = parsed_in_parts(parser, words);
+  return parts ? std::move(parts) : std::optional{std::move(form)};
 }
 
 } // namespace
@@ -121,12 +132,8 @@ std::optional<PackedLogicalForm> reparsed(Parser& parser, const WordList& words,
       return result;
   if (auto result = parsed_without_asking(parser, words))
     return result;
-  if (is_understood(form)) {
-    if (has_condition_on_it(words))
-      return parsed_in_order(parser, words, part_parser(parser));
-    return asks_about_answer(words) ? parsed_question_beside(parser, words, part_parser(parser))
-                                    : std::nullopt;
-  }
+  if (is_understood(form))
+    return parsed_in_parts(parser, words);
   const auto whole = with_articles(parser, words);
   if (auto result = whole ? parser.parse_whole(*whole) : std::nullopt;
       result && asks_for_handling(*result, parser.lexicon()))
