@@ -77,6 +77,10 @@ public:
   /// Whether a clause is so: an ascription, existence, possession, or several of them.
   Truth clause(const Nominal& e);
 
+  /// Whether a clause is so if what is rather beside a thing than behind it counts as behind it,
+  /// too, and so for all sides.
+  Truth clause_with_wide_sides(const Nominal& e);
+
   /// \throws Uninterpretable if there is not what the definite phrases of the form and those with
   /// "all" and "most" take for granted, wherever they are
   void check_presuppositions();
@@ -259,6 +263,7 @@ private:
   std::optional<std::string> distinguished_by_size(const Nominal& phrase);
   std::optional<std::string> distinguished_by_side(const Nominal& phrase);
   std::optional<std::string> outermost(const Things& things, const std::string& side) const;
+  Fitting strict_answers(const Nominal& e, const Nominal& asked);
   Fitting outermost_answer(const Nominal& e, const Nominal& asked);
   Truth compares(const std::string& id, const Nominal& comparison);
   Truth compares_with_length(const std::string& id, const Nominal& comparison,
@@ -294,6 +299,8 @@ private:
   std::set<std::string> modifiers_;
   /// Shapes that look alike may be meant, since nothing has the shape itself.
   bool is_lenient_ = false;
+  /// What is rather on the next side of something may be meant, since nothing is straight there.
+  bool has_wide_sides_ = false;
 };
 
 /// Numbers of things that a quantity such as "at least two" stands for; nothing for "several".

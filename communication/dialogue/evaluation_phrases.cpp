@@ -50,6 +50,18 @@ void Evaluation::check_coordination(const Nominal& x) {
 }
 
 Fitting Evaluation::answers(const Nominal& e, const Nominal& asked) {
+  auto result = strict_answers(e, asked);
+  if (result.possible.empty())
+    result = outermost_answer(e, asked);
+  // "What is behind the cube?", where nothing is straight behind it.
+  if (result.possible.empty() && !has_wide_sides_ && !has_containers()) {
+    ScopedValue wide{has_wide_sides_, true};
+    result = strict_answers(e, asked);
+  }
+  return result;
+}
+
+Fitting Evaluation::strict_answers(const Nominal& e, const Nominal& asked) {
   Fitting result;
   auto candidates = described(asked);
   const auto* topic = dependent(form_, e, "Topic");
@@ -65,7 +77,12 @@ Fitting Evaluation::answers(const Nominal& e, const Nominal& asked) {
     truth = both(truth, clause(e));
     result.add(id, truth);
   }
-  return result.possible.empty() ? outermost_answer(e, asked) : result;
+  return result;
+}
+
+Truth Evaluation::clause_with_wide_sides(const Nominal& e) {
+  ScopedValue wide{has_wide_sides_, !has_containers()};
+  return clause(e);
 }
 
 /// "Which of them is on the left?", where none is: the leftmost of them.
@@ -203,6 +220,7 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
   const bool is_lenient = found.possible.empty();
   if (is_lenient) {
     ScopedValue lenience{is_lenient_, true};
+    ScopedValue wide{has_wide_sides_, !has_containers()};
     found = described(phrase);
   }
   if (!scene_.open_questions().empty())

@@ -69,6 +69,7 @@ private:
   Response yes_or_no(Truth truth);
   bool is_sure(const std::string& id, const Nominal& scope) const;
   Response choice_of_clauses();
+  Response partly();
   std::optional<binding::FeatureKind> kind_asked_for(const Nominal& quality) const;
   const Nominal* commonest_quality(const Nominal& asked) const;
   Response most_common(const Nominal& quality);

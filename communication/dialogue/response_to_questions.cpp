@@ -412,6 +412,9 @@ Response Responder::to_question_yn() {
   const bool is_negative = is_negated(root());
   const bool is_literal = feature(root(), "Literal") == "true";
   auto truth = evaluation_.clause(is_negative && !is_literal ? affirmed(root()) : root());
+  if (truth == Truth::no && !is_negative &&
+      evaluation_.clause_with_wide_sides(root()) == Truth::yes)
+    return partly();
   if (truth == Truth::unknown) {
     // What vision has no word for may be there, but it is not seen.
     const auto* subject =
@@ -438,6 +441,27 @@ Response Responder::to_question_yn() {
                                       (truth == Truth::yes) != is_literal)),
                   marker(truth == Truth::yes ? "yes" : "no"));
   return yes_or_no(truth);
+}
+
+/// "Is the ball left of the cube?", where it is rather behind it: "Partly. It is behind the cube."
+/// "Is anything behind the cube?": what is told then is there.
+Response Responder::partly() {
+  const auto* subject = dependent(form_, root(), "Cop-Restr");
+  const auto* scope = dependent(form_, root(), "Cop-Scope");
+  const auto* anchor = scope == nullptr ? nullptr : dependent(form_, *scope, "Anchor");
+  if (subject == nullptr || anchor == nullptr || !is_definite_phrase(*subject) ||
+      !is_definite_phrase(*anchor) || is_plural(*subject) || is_plural(*anchor))
+    return yes_or_no(Truth::yes);
+  Response result{RhetoricalRelation::answer, {}, {}, {}};
+  result.sentences.push_back({marker("partly")});
+  const auto landmarks = evaluation_.meant(*anchor);
+  for (const auto& id : evaluation_.meant(*subject))
+    for (const auto& fact : scene_.spatial_facts(id))
+      if (result.sentences.size() == 1 && fact.relation != "near" &&
+          std::ranges::find(landmarks, fact.landmark) != landmarks.end())
+        result.sentences.push_back({ascribe(
+          pronoun("it"), region(fact.relation, referring_expression(scene_, fact.landmark)))});
+  return result;
 }
 
 /// Whether what a scope says of a thing is certain.

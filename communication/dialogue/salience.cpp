@@ -23,6 +23,11 @@ bool is_open(const MoveReferents& move) {
           }));
 }
 
+/// "Put the ball next to the cube", of which it had to ask which cube: "it" is the ball.
+bool is_clear_about_first(const MoveReferents& move) {
+  return !move.referents.empty() && !move.referents.front().proxies.empty();
+}
+
 /// Moves from the last one back to one after which nothing is clear.
 std::vector<const MoveReferents*> recent(std::span<const MoveReferents> history) {
   std::vector<const MoveReferents*> result;
@@ -32,7 +37,8 @@ std::vector<const MoveReferents*> recent(std::span<const MoveReferents> history)
   const auto last =
     std::ranges::find_if(result, [](const auto* x) { return !x->understood || is_open(*x); });
   // What is not understood may name something.
-  const bool names_something = last != result.end() && !is_open(**last);
+  const bool names_something =
+    last != result.end() && (!is_open(**last) || is_clear_about_first(**last));
   result.erase(last + (names_something ? 1 : 0), result.end());
   return result;
 }

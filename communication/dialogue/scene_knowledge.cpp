@@ -315,6 +315,19 @@ double length_along(std::string_view relation, double dx, double dy) {
 
 } // namespace
 
+bool SceneKnowledge::is_toward(std::string_view side, const std::string& from,
+                               const std::string& to) const {
+  constexpr double least_share = 0.342; // the cosine of 70 degrees
+  const auto here = place_in_view(from);
+  const auto there = place_in_view(to);
+  if (!here || !there)
+    return false;
+  const double dx = here->x - there->x;
+  const double dy = here->y - there->y;
+  const double along = length_along(side, dx, dy);
+  return along > 0 && along >= least_share * std::hypot(dx, dy);
+}
+
 std::vector<SpatialFact> SceneKnowledge::spatial_facts(const std::string& union_id) const {
   std::vector<SpatialFact> result;
   for (auto& x : relations_) {

@@ -91,6 +91,10 @@ public:
   /// Whether a thing is so related to another.
   Truth is_related(const std::string& relation, const std::string& from, const std::string& to);
 
+  /// Whether a thing is on that side of another - left, right, front or back - if what is rather on
+  /// the next side counts, too: up to 70 degrees off.
+  bool is_toward(std::string_view side, const std::string& from, const std::string& to) const;
+
   /// Whether there are relations of that name at all.
   bool knows_relation(const std::string& relation) const;
 

@@ -96,8 +96,11 @@ bool TablePlaces::is_close(const PlaceWanted& place, std::size_t object) const {
   const double most = place.relation == "near"    ? options_.clearly_near_gap
                       : direction(place.relation) ? options_.clearly_beside_gap
                                                   : std::numeric_limits<double>::infinity();
+  const auto& centre = objects_.at(object).centre;
+  const bool is_rather_aside =
+    direction(place.relation) && fit(place, object, centre) < options_.clear_side_fit;
   return place.landmarks.empty() ||
-         gap_to_landmarks(place, object, objects_.at(object).centre) <= most;
+         (!is_rather_aside && gap_to_landmarks(place, object, centre) <= most);
 }
 
 /// How much worse places are that are farther from their landmarks than what is beside them.

@@ -137,6 +137,23 @@ struct SceneObject {
   std::string managing_process;
 };
 
+/// What somebody remembers of an object while something stands on it, so that vision sees only a
+/// part of it, which may look like another shape. Its id is `partly_seen` of that object.
+struct PartlySeen {
+  std::string object_id;
+  /// As of a SceneObject, for certain; empty, or all zero, if it is not known.
+  std::string colour;
+  std::string shape;
+  std::string size;
+  Point3 lengths;
+
+  friend bool operator==(const PartlySeen&, const PartlySeen&) = default;
+};
+
+inline std::string partly_seen(const std::string& object_id) {
+  return "partly seen: " + object_id;
+}
+
 /// Changes of a SceneObject; added with every overwrite of one.
 struct SceneObjectUpdate {
   std::string object_id;
@@ -194,6 +211,7 @@ CASTOR_REFLECT(RegionFeatures, colours, shapes, colour_evidence, shape_evidence,
 CASTOR_REFLECT(ROI, box, region, mask, contour, camera, time, object_id, has_features, features)
 CASTOR_REFLECT(SceneObject, time, box, lengths, pose, label, colour, shape, size, roi_ids,
                managing_process)
+CASTOR_REFLECT(PartlySeen, object_id, colour, shape, size, lengths)
 CASTOR_REFLECT(SceneObjectUpdate, object_id, position, shape, size, colour, label)
 CASTOR_REFLECT(Attribute, kind, value)
 CASTOR_REFLECT(LearnInstruction, tutor_initiated, target_id, attributes)

@@ -77,6 +77,8 @@ private:
   TableGoal undo();
   TableGoal restore();
   void back_to(const TableThing& x, const std::string& waypoint);
+  TableGoal return_goal(const std::string& words, const std::string& result);
+  static std::string waypoint_to_return_to(const TableThing& x);
   std::string it_was() const;
   TableGoal where_was() const;
 

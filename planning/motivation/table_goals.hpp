@@ -54,6 +54,8 @@ struct TableGoal {
   /// How far things are pushed, metres: to the spots if there are any, otherwise anywhere; 0 if
   /// they are not.
   double push_distance = 0;
+  /// Things are put where they were before.
+  bool is_return = false;
 
   friend bool operator==(const TableGoal&, const TableGoal&) = default;
 };

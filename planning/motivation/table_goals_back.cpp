@@ -25,12 +25,25 @@ TableGoal TableGoalMaker::put_back() {
   for (const auto* x : things_) {
     if (x->waypoint_before.empty())
       return refusal("I have not moved " + x->words + ": it is where I saw it first.");
-    // It may have stood somewhere else on its way.
-    facts_.push_back(at_waypoint(*x, x->waypoint_before_goal.empty() ? x->waypoint_before
-                                                                     : x->waypoint_before_goal));
+    facts_.push_back(at_waypoint(*x, waypoint_to_return_to(*x)));
   }
-  return goal("put " + listed(things_) + " back",
-              listed(things_) + are(things_) + " where " + it_was() + " before");
+  return return_goal("", "where " + it_was() + " before");
+}
+
+std::string TableGoalMaker::waypoint_to_return_to(const TableThing& x) {
+  // It is back already, not to be brought where it was wrong.
+  if (x.has_returned)
+    return x.waypoint;
+  // It may have stood somewhere else on its way.
+  return x.waypoint_before_goal.empty() ? x.waypoint_before : x.waypoint_before_goal;
+}
+
+/// "Put it back `words`", and then it is `result`.
+TableGoal TableGoalMaker::return_goal(const std::string& words, const std::string& result) {
+  auto it = goal("put " + listed(things_) + " back" + words,
+                 listed(things_) + are(things_) + ' ' + result);
+  it.is_return = true;
+  return it;
 }
 
 bool TableGoalMaker::has_landmark_that_was_moved() const {
@@ -46,8 +59,7 @@ TableGoal TableGoalMaker::undo() {
       back_to(x, x.waypoint_before_goal);
   if (things_.empty())
     return refusal("There is nothing to undo.");
-  return goal("put " + listed(things_) + " back",
-              listed(things_) + are(things_) + " where " + it_was() + " before");
+  return return_goal("", "where " + it_was() + " before");
 }
 
 /// Those that were moved, or all, are where they were before anything was done.
@@ -60,8 +72,8 @@ TableGoal TableGoalMaker::restore() {
   }
   if (things_.empty())
     return refusal("I have moved nothing that is not where it was at first.");
-  return goal("put " + listed(things_) + " back where " + it_was() + " at first",
-              listed(things_) + are(things_) + " where " + it_was() + " at first");
+  const auto where = "where " + it_was() + " at first";
+  return return_goal(' ' + where, where);
 }
 
 /// As they were when people said to remember that.
@@ -74,8 +86,7 @@ TableGoal TableGoalMaker::put_as_noted() {
       back_to(x, x.waypoint_noted);
   if (things_.empty())
     return refusal("Everything is as I was to remember it.");
-  return goal("put " + listed(things_) + " back where " + it_was(),
-              listed(things_) + are(things_) + " as I was to remember");
+  return return_goal(" where " + it_was(), "as I was to remember");
 }
 
 void TableGoalMaker::back_to(const TableThing& x, const std::string& waypoint) {

@@ -56,7 +56,7 @@ public:
             return find_thing(table, proxy) == &x;
           }))
         things_.push_back(&x);
-    if (step.things.empty())
+    if (step.things.empty() || step.action == "StartedWith")
       return;
     std::erase_if(remembered_, [&](const TableMove& move) {
       return std::ranges::none_of(things_, [&](auto* x) { return x->object == move.object; });
@@ -67,8 +67,14 @@ public:
   HistoryAnswer answer(std::string_view action) const {
     if (action == "NotMoved")
       return which_were_not_moved();
+    if (remembered_.empty() && action == "DoneWith" && things_.size() == 1)
+      return {"Nothing: I have not moved " + things_.front()->words + '.'};
     if (remembered_.empty())
       return {"I have moved nothing."};
+    if (action == "DoneWith")
+      return what_was_done();
+    if (action == "StartedWith")
+      return started_with();
     const std::span all{remembered_};
     if (action == "LastMoved")
       return {"The last thing that I moved is " + remembered_.back().words +
@@ -100,6 +106,27 @@ private:
       std::ranges::find_if(remembered_.rbegin(), remembered_.rend(),
                            [&](const TableMove& x) { return x.because != because; });
     return {before.base(), remembered_.end()};
+  }
+
+  /// The last that was done with each of those that are asked about.
+  HistoryAnswer what_was_done() const {
+    std::string said;
+    for (const auto* x : things_) {
+      const auto last = std::ranges::find(remembered_.rbegin(), remembered_.rend(), x->object, &TableMove::object);
+      said += said.empty() ? "" : " ";
+      said += last == remembered_.rend() ? "I have not moved " + x->words + '.'
+              : last->because.empty()    ? "I moved " + x->words + '.'
+                                         : "I moved " + x->words + ": " + last->because + '.';
+    }
+    return {std::move(said), proxies(remembered_)};
+  }
+
+  /// Of the last request that moved several things, or else of all.
+  HistoryAnswer started_with() const {
+    const auto last = moved_for_the_last();
+    const auto& first = (last.size() > 1 ? last : std::span{remembered_}).front();
+    const bool is_it = std::ranges::find(things_, first.object, &TableThing::object) != things_.end();
+    return {is_it ? "Yes." : "No, I moved " + first.words + " first.", proxies({&first, 1})};
   }
 
   /// Of what was moved and is still there.
@@ -145,9 +172,9 @@ private:
 } // namespace
 
 bool asks_about_history(std::string_view action) {
-  constexpr std::array<std::string_view, 7> questions{"WhichMoved",  "NotMoved",     "LastMoved",
-                                                      "FirstMoved",  "HowManyMoves", "MovesInOrder",
-                                                      "MovedForThat"};
+  constexpr std::array<std::string_view, 9> questions{"WhichMoved",   "NotMoved",     "LastMoved",
+                                                      "FirstMoved",   "HowManyMoves", "MovesInOrder",
+                                                      "MovedForThat", "StartedWith",  "DoneWith"};
   return std::ranges::find(questions, action) != questions.end();
 }
 

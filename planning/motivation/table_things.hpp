@@ -72,6 +72,8 @@ struct TableThing {
   std::string on = {};
   /// Where it was when people last said to remember that; empty if they did not.
   std::string waypoint_noted = {};
+  /// It was last moved to put it where it was before.
+  bool has_returned = false;
   /// It is what was moved last.
   bool is_last_moved = false;
 

@@ -25,7 +25,8 @@ RememberedTable TableMemory::remembered() const {
                           x.is_kept,
                           x.is_kept_clear,
                           x.waypoint_noted,
-                          x.seen.lengths};
+                          x.seen.lengths,
+                          x.has_returned};
     for (const auto& [kind, value] : x.seen.qualities)
       thing.qualities.push_back({kind, value});
     result.things.push_back(std::move(thing));
@@ -67,7 +68,7 @@ void TableMemory::recall(const RememberedTable& x) {
     things_.push_back({thing.name, std::move(seen), thing.waypoint, thing.waypoint_before,
                        thing.is_held, thing.on, thing.former_proxies, thing.waypoint_before_goal,
                        thing.waypoint_at_first, thing.is_kept, thing.is_kept_clear,
-                       thing.waypoint_noted});
+                       thing.waypoint_noted, thing.has_returned});
   }
   for (auto& y : things_)
     if (thing(y.on) == nullptr)

@@ -74,7 +74,7 @@ bool RequestQueue::moved_other_than(const RequestedStep& step) const {
                          (last.action == "Swap" && last.things.size() == 2) ||
                          (last.action == "Put" && !last.places.empty() && last.things.size() == 1 &&
                           step.what.things.size() == 1);
-  return !is_busy() && steps_.waiting.empty() && steps_.given_up.empty() && is_same_deed &&
+  return !is_busy() && !steps_.was_so && steps_.waiting.empty() && steps_.given_up.empty() && is_same_deed &&
          is_undone && last.number == 0 && step.what.things != last.things;
 }
 
@@ -87,8 +87,19 @@ RequestedStep RequestQueue::put_back_before(const RequestedStep& step) const {
   return back;
 }
 
-Address RequestQueue::add(const std::vector<RequestedStep>& steps,
+/// "Clear the left side. I need some room there": where the step before is done.
+void RequestQueue::resolve_there(RequestedStep& step) const {
+  const auto& before = steps_.waiting.empty() ? steps_.current : steps_.waiting.back();
+  auto& places = step.what.places;
+  if (places.size() == 1 && places.front().relation == "there" &&
+      places.front().landmarks.empty() && !before.what.places.empty())
+    places = before.what.places;
+}
+
+Address RequestQueue::add(std::vector<RequestedStep> steps,
                           const communication::MoveReferents& said) {
+  if (!steps.empty())
+    resolve_there(steps.front());
   auto& waiting = steps_.waiting;
   Address unwanted;
   std::optional<RequestedStep> back;
@@ -148,12 +159,14 @@ void RequestQueue::begin(const Address& motive, std::string result,
   steps_.motive = motive;
   steps_.result = std::move(result);
   steps_.chosen = std::move(chosen);
+  steps_.was_so = false;
   steps_.given_up.clear();
   steps_.stopped.clear();
 }
 
-void RequestQueue::done() {
+void RequestQueue::done(bool was_so) {
   steps_.motive = {};
+  steps_.was_so = was_so;
 }
 
 bool RequestQueue::try_again(bool has_begun) {

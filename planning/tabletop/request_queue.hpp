@@ -23,7 +23,7 @@ public:
   /// - `corrects`: they take the place of the last request that is not done yet, if there is one.
   ///   If another thing was taken, or put there, it is put back first.
   /// \returns the motive that is not wanted now; without an id for none
-  Address add(const std::vector<RequestedStep>& steps, const communication::MoveReferents& said);
+  Address add(std::vector<RequestedStep> steps, const communication::MoveReferents& said);
 
   /// Nothing is done any more, unless `go_on`. \returns the motive that is not wanted any more;
   /// without an id for none
@@ -47,7 +47,8 @@ public:
   /// @param chosen proxies of the things with which it is done
   void begin(const Address& motive, std::string result, std::vector<std::string> chosen = {});
   /// The current step is done; `next` has the one after it.
-  void done();
+  /// @param was_so whether nothing had to be done for it
+  void done(bool was_so = false);
   /// The current step has failed. Of "one of the balls" another one is next, if there is one; where
   /// several things are put somewhere and some are there, the others are tried once more, as things
   /// are now. \returns whether it is tried again
@@ -61,6 +62,7 @@ public:
 private:
   bool moved_other_than(const RequestedStep& step) const;
   RequestedStep put_back_before(const RequestedStep& step) const;
+  void resolve_there(RequestedStep& step) const;
   Address drop_last();
   void drop_steps_of(const Address& move);
 

@@ -22,6 +22,9 @@ constexpr double moved_distance = 0.04;
 /// Something stood there before; that is not free any more if another thing is nearer, metres.
 constexpr double least_room = 0.03;
 
+/// What is that high appears so much farther away, of its height: a camera above the table's front.
+constexpr double shift_by_height = 0.6;
+
 constexpr std::size_t most_former_proxies = 16;
 
 constexpr std::size_t most_remembered_moves = 64;
@@ -121,6 +124,7 @@ void TableMemory::leave(Thing& x) {
   if (x.waypoint_at_first.empty())
     x.waypoint_at_first = x.waypoint;
   x.waypoint_before = x.waypoint;
+  x.has_returned = false;
   // What was taken is put down by the same move.
   if (!x.is_held) {
     ++history_.moves;
@@ -137,6 +141,54 @@ std::string TableMemory::new_waypoint(GroundPoint place) {
   return name;
 }
 
+/// What is seen of it looks otherwise while it is a part of a stack.
+void TableMemory::keep_form(Thing& x, const ThingOnTable& before) {
+  x.seen.radius = before.radius;
+  x.seen.height = before.height;
+  x.seen.lengths = before.lengths;
+  x.seen.qualities = before.qualities;
+}
+
+/// Vision may take a thing that stands on another, or a part of one, for something new: of the
+/// colour of one of the stack, and where that appears from above its front.
+void TableMemory::see_stacks(std::vector<const ThingOnTable*>& others, std::set<std::string>& seen,
+                             const std::set<std::string>& loaded) {
+  for (auto& base : things_) {
+    if (!loaded.contains(base.name) || !base.on.empty() || base.is_held)
+      continue;
+    std::vector<Thing*> stack{&base};
+    for (std::size_t i = 0; i < stack.size(); ++i)
+      for (auto& x : things_)
+        if (x.on == stack[i]->name && std::ranges::find(stack, &x) == stack.end())
+          stack.push_back(&x);
+    double height = 0;
+    for (const auto* x : stack)
+      height += x->seen.height;
+    const auto at = waypoints_.at(base.waypoint);
+    const auto is_part_of = [&](const ThingOnTable& other, const Thing& x) {
+      const double beside = std::abs(other.place.x - at.x);
+      const double behind = other.place.y - at.y;
+      return quality(other, "colour") == quality(x.seen, "colour") &&
+             beside < base.seen.radius + finger_gap && behind > -base.seen.radius &&
+             behind < base.seen.radius + height * shift_by_height;
+    };
+    for (auto* x : stack) {
+      const auto part = std::ranges::find_if(
+        others, [&](const auto* other) { return is_part_of(*other, *x); });
+      if (part == others.end() || seen.contains(x->name))
+        continue;
+      const auto before = x->seen;
+      see_as(*x, **part);
+      keep_form(*x, before);
+      seen.insert(x->name);
+      others.erase(part);
+    }
+    std::erase_if(others, [&](const auto* other) {
+      return std::ranges::any_of(stack, [&](const auto* x) { return is_part_of(*other, *x); });
+    });
+  }
+}
+
 void TableMemory::see(const std::vector<ThingOnTable>& things, bool is_complete) {
   std::vector<const ThingOnTable*> others;
   std::set<std::string> seen;
@@ -149,15 +201,13 @@ void TableMemory::see(const std::vector<ThingOnTable>& things, bool is_complete)
       const auto before = known->seen;
       see_as(*known, x);
       // Of a stack, vision does not see where one thing ends.
-      if (loaded.contains(known->name) || !known->on.empty()) {
-        known->seen.radius = before.radius;
-        known->seen.height = before.height;
-        known->seen.lengths = before.lengths;
-      }
+      if (loaded.contains(known->name) || !known->on.empty())
+        keep_form(*known, before);
       seen.insert(known->name);
     } else {
       others.push_back(&x);
     }
+  see_stacks(others, seen, loaded);
   std::erase_if(things_, [&](Thing& x) {
     if (seen.contains(x.name) || x.is_held || !x.on.empty())
       return false;
@@ -180,8 +230,10 @@ void TableMemory::see(const std::vector<ThingOnTable>& things, bool is_complete)
   });
   for (auto& x : things_)
     if (x.on.empty() && !x.is_held &&
-        distance(waypoints_.at(x.waypoint), x.seen.place) > moved_distance)
+        distance(waypoints_.at(x.waypoint), x.seen.place) > moved_distance) {
       x.waypoint = new_waypoint(x.seen.place);
+      x.has_returned = false;
+    }
   for (const auto* x : others)
     things_.push_back({object_name(x->proxy), *x, new_waypoint(x->place)});
 }
@@ -212,6 +264,7 @@ std::vector<TableThing> TableMemory::things(const std::vector<ThingAtPlace>& pla
     thing.height = x.seen.height;
     thing.on = x.on;
     thing.waypoint_noted = x.waypoint_noted;
+    thing.has_returned = x.has_returned;
     thing.is_last_moved =
       !history_.remembered.empty() && history_.remembered.back().object == x.name;
     if (const auto* before = place(x.waypoint_before))
@@ -232,6 +285,7 @@ AchieveGoal TableMemory::begin(const TableGoal& goal, const std::string& because
   in_way_.clear();
   is_unmoved_ = true;
   push_distance_ = goal.push_distance;
+  is_return_ = goal.is_return;
   pushed_to_.clear();
   AchieveGoal result{goal.formula};
   for (const auto& x : goal.spots) {
@@ -413,6 +467,7 @@ void TableMemory::moved(const std::string& name, const std::string& waypoint, co
   leave(*x);
   in_way_.moved(name);
   x->waypoint = waypoint;
+  x->has_returned = is_return_;
   x->is_held = false;
   x->seen.place = place;
   x->seen.id = id;

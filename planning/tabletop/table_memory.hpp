@@ -67,6 +67,8 @@ public:
     bool is_kept_clear = false;
     /// Where it was when people said to remember that.
     std::string waypoint_noted = {};
+    /// It was last moved to put it where it was before.
+    bool has_returned = false;
   };
 
   /// @param agent who acts, and nouns by shapes: "ball" for "sphere"
@@ -149,6 +151,9 @@ private:
   Thing* find(std::string_view name);
   static void see_as(Thing& known, const ThingOnTable& seen);
   void leave(Thing& x);
+  static void keep_form(Thing& x, const ThingOnTable& before);
+  void see_stacks(std::vector<const ThingOnTable*>& others, std::set<std::string>& seen,
+                  const std::set<std::string>& loaded);
   std::string new_waypoint(spatial::GroundPoint place);
   std::string words(const Thing& x) const;
   bool is_free(const std::string& waypoint, std::string_view goal) const;
@@ -177,6 +182,7 @@ private:
   TableHistory history_;
   /// What the goal that has begun is done for.
   std::string because_;
+  bool is_return_ = false;
   std::size_t next_waypoint_ = 1;
 };
 

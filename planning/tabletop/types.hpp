@@ -83,6 +83,8 @@ struct RememberedThing {
   std::string waypoint_noted;
   /// As of ThingOnTable.
   geometry::Point3 lengths = {};
+  /// It was last moved to put it where it was before.
+  bool has_returned = false;
 
   friend bool operator==(const RememberedThing&, const RememberedThing&) = default;
 };
@@ -159,6 +161,8 @@ struct RequestedSteps {
   RequestedStep current;
   Address motive;
   std::string result;
+  /// The current step is over, and nothing had to be done for it.
+  bool was_so = false;
   /// Proxies of the things with which it is done: of "one of the balls" the one that was chosen.
   std::vector<std::string> chosen = {};
   /// Those of the request that could not be done last, until another step is begun.
@@ -178,11 +182,11 @@ CASTOR_REFLECT(TableGoalRequest, step, begins, because)
 CASTOR_REFLECT(TableGoalReply, refusal, goal, words, result, things, is_impossible)
 CASTOR_REFLECT(RequestedStep, move, what, agrees_to, was_begun)
 CASTOR_REFLECT(RequestedSteps, waiting, current, motive, result, chosen, given_up, stopped,
-               is_paused)
+               is_paused, was_so)
 CASTOR_REFLECT(RememberedQuality, kind, value)
 CASTOR_REFLECT(RememberedThing, name, id, proxy, qualities, place, radius, height, waypoint,
                waypoint_before, is_held, on, former_proxies, waypoint_before_goal,
-               waypoint_at_first, is_kept, is_kept_clear, waypoint_noted, lengths)
+               waypoint_at_first, is_kept, is_kept_clear, waypoint_noted, lengths, has_returned)
 CASTOR_REFLECT(RememberedWaypoint, name, place)
 CASTOR_REFLECT(RememberedChoice, waypoint, wanted)
 CASTOR_REFLECT(RememberedMove, thing, words, because)

@@ -29,6 +29,11 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
       look(event.address);
       publish();
     });
+    if (!memory_->empty())
+      on_change(changed<PartlySeen>().in(memory_), [this](const ChangeEvent& event) {
+        remember(event);
+        publish();
+      });
     on_binding_change(changed<BindingUnion>(), [this](const ChangeEvent& event) {
       if (event.operation != Operation::remove)
         learn_from(event.address);
@@ -38,6 +43,9 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
         objects_[id.substr(object_prefix.size())];
     for (auto& x : read_all<SceneObject>())
       objects_[x.address.id];
+    if (!memory_->empty())
+      for (auto& x : read_all_in<PartlySeen>(memory_))
+        remembered_[x->object_id] = *x;
     // A copy: those that are not there any more are forgotten.
     for (const auto& [id, place] : std::map(objects_))
       look(here(id));
@@ -46,10 +54,45 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
 
   void look(const Address& address) {
     try {
-      tell_of(address.id, *read<SceneObject>(address));
+      tell_of(address.id, as_remembered(address.id, *read<SceneObject>(address)));
     } catch (const DoesNotExistOnWM&) {
       forget(address.id);
     }
+  }
+
+  void remember(const ChangeEvent& event) {
+    auto known =
+      std::ranges::find_if(remembered_, [&](auto& x) { return partly_seen(x.first) == event.address.id; });
+    try {
+      if (event.operation == Operation::remove && known != remembered_.end()) {
+        const auto id = known->first;
+        remembered_.erase(known);
+        look(here(id));
+      } else if (event.operation != Operation::remove) {
+        auto whole = *read<PartlySeen>(event.address);
+        const auto id = whole.object_id;
+        remembered_[id] = std::move(whole);
+        look(here(id));
+      }
+    } catch (const DoesNotExistOnWM& e) {
+      debug("{}", e.what());
+    }
+  }
+
+  /// What is seen of a thing that something stands on is a part of it.
+  SceneObject as_remembered(const std::string& id, SceneObject object) const {
+    const auto found = remembered_.find(id);
+    if (found == remembered_.end())
+      return object;
+    const auto& whole = found->second;
+    for (const auto& [word, known] : {std::pair{&object.colour, &whole.colour},
+                                      {&object.shape, &whole.shape},
+                                      {&object.size, &whole.size}})
+      if (!known->empty())
+        *word = {*known, 1};
+    if (whole.lengths != Point3{})
+      object.lengths = whole.lengths;
+    return object;
   }
 
   void tell_of(const std::string& id, const SceneObject& object) {
@@ -157,6 +200,10 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
   Option<double> sure_{this, "sure", 0.8,
                        "below this confidence, a colour, a shape or a size is told as uncertain"};
 
+  Option<SubarchitectureName> memory_{
+    this, "memory", "",
+    "the subarchitecture that remembers things which are seen in part; empty if there is none"};
+
   struct Told {
     AlignedBox place;
     Point3 lengths;
@@ -164,6 +211,8 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
 
   /// Where each was, and how large, when that was last told.
   std::map<std::string, Told> objects_;
+  /// By ids of SceneObjects.
+  std::map<std::string, PartlySeen> remembered_;
 };
 
 CASTOR_COMPONENT(VisionBindingMonitor, "adds the objects on the table to binding")

@@ -19,6 +19,7 @@ using binding::FeatureKind;
 
 /// Tells binding of things that a TableExecutor remembers and vision does not see, so that people
 /// can speak of them: what the arm holds, and what stands on another thing where vision sees one.
+/// Tells vision what things of a stack are, of which it sees a part.
 class HiddenThings final : public binding::BindingMonitor {
   void start() override {
     BindingMonitor::start();
@@ -26,6 +27,8 @@ class HiddenThings final : public binding::BindingMonitor {
     on_change(deleted<vision::SceneObject>().in(vision_), [this](const ChangeEvent&) { look(); });
     for (const auto& [id, proxy] : own_proxies())
       told_.insert(id);
+    for (const auto& x : read_all<vision::PartlySeen>())
+      partly_seen_.emplace(x.address.id, *x);
     look();
   }
 
@@ -42,6 +45,34 @@ class HiddenThings final : public binding::BindingMonitor {
       if (!told_.contains(id))
         withdraw(id);
     publish();
+    std::map<std::string, vision::PartlySeen> parts;
+    for (const auto& table : read_all<RememberedTable>(1))
+      parts = seen_in_part(*table);
+    for (const auto& [id, x] : partly_seen_)
+      if (!parts.contains(id))
+        delete_entry(here(id));
+    for (const auto& [id, x] : parts)
+      if (const auto known = partly_seen_.find(id); known == partly_seen_.end() || known->second != x)
+        put(here(id), x);
+    partly_seen_ = std::move(parts);
+  }
+
+  /// The things that stand on others, and these, by ids of entries.
+  static std::map<std::string, vision::PartlySeen> seen_in_part(const RememberedTable& table) {
+    std::map<std::string, vision::PartlySeen> result;
+    for (const auto& x : table.things) {
+      const bool is_loaded =
+        std::ranges::find(table.things, x.name, &RememberedThing::on) != table.things.end();
+      if (x.is_held || (x.on.empty() && !is_loaded) || x.id.empty())
+        continue;
+      vision::PartlySeen whole{x.id, {}, {}, {}, x.lengths};
+      for (const auto& quality : x.qualities)
+        (quality.kind == "colour" ? whole.colour
+         : quality.kind == "shape" ? whole.shape
+                                   : whole.size) = quality.value;
+      result.emplace(vision::partly_seen(x.id), std::move(whole));
+    }
+    return result;
   }
 
   void tell_of(const RememberedThing& x, const RememberedTable& table) {
@@ -96,6 +127,8 @@ class HiddenThings final : public binding::BindingMonitor {
 
   /// Proxies that binding knows.
   std::set<std::string> told_;
+  /// The entries that are here, by their ids.
+  std::map<std::string, vision::PartlySeen> partly_seen_;
 };
 
 CASTOR_COMPONENT(HiddenThings, "tells binding of things that are remembered but not seen")

@@ -229,7 +229,7 @@ class TableMotives final : public HearsRequests {
         const bool was_so = !motive->history.back().why.empty();
         reply(move, was_so ? MotiveReply::already_so : MotiveReply::done,
               was_so ? "It is so already." : known.result);
-        queue_.done();
+        queue_.done(was_so);
         tell_end_of(move, true);
         return true;
       }

@@ -247,6 +247,16 @@ TEST(TableGoals, BackIsWhereItWasBefore) {
   EXPECT_EQ(refused({"PutBack", {"p/a", "p/b"}, 1, {}, {}}), "There is nothing to put back.");
 }
 
+/// "No, the green one. - And the red one goes back where it was."
+TEST(TableGoals, WhatIsBackStaysThereWhenItIsToBePutBackAgain) {
+  auto things = table;
+  things[2].has_returned = true;
+  const auto goal = goal_of({"PutBack", {"p/c"}, 0, {}, {}}, things);
+  EXPECT_EQ(goal.formula, "(and (= (pos c) " + things[2].waypoint + "))");
+  EXPECT_TRUE(goal.is_return);
+  EXPECT_FALSE(goal_of({"Take", {"p/c"}, 0, {}, {}}, things).is_return);
+}
+
 TEST(TableGoals, OfSeveralThoseThatWereMovedArePutBack) {
   EXPECT_EQ(formula({"PutBack", {"p/a", "p/b", "p/c"}, 0, {}, {}}), "(and (= (pos c) at-old))");
 }

@@ -368,6 +368,26 @@ TEST_F(TableMemoryTest, RemembersHowThingsWereWhenToldTo) {
   EXPECT_TRUE(things[1].is_last_moved);
 }
 
+TEST_F(TableMemoryTest, KnowsWhatHasReturnedUntilItIsMovedAgain) {
+  TableGoal back;
+  back.is_return = true;
+  memory.begin({});
+  memory.moved("p1", "place-7", "o1", {0.2, 0.1});
+  EXPECT_FALSE(memory.things({})[0].has_returned);
+  memory.begin(back);
+  memory.taken("p1");
+  EXPECT_FALSE(memory.things({})[0].has_returned);
+  memory.moved("p1", "place-1", "o1", {0, 0});
+  EXPECT_TRUE(memory.things({})[0].has_returned);
+  TableMemory successor{"robot"};
+  successor.recall(memory.remembered());
+  EXPECT_TRUE(successor.things({})[0].has_returned);
+  memory.begin({});
+  EXPECT_TRUE(memory.things({})[0].has_returned);
+  memory.moved("p1", "place-8", "o1", {0.2, 0.1});
+  EXPECT_FALSE(memory.things({})[0].has_returned);
+}
+
 TEST_F(TableMemoryTest, RemembersItsMovesInTheirOrder) {
   const auto name = memory.things({})[0].words;
   memory.taken("p1");
