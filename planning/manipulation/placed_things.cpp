@@ -31,28 +31,51 @@ bool is_stacked(const NamedSolid& x) {
 
 } // namespace
 
-void PlacedThings::put(const std::string& id, const SeenThing& before, const Pose& pose) {
+void PlacedThings::put(const std::string& id, const SeenThing& before, const Pose& pose,
+                       double fall) {
   auto thing = before;
   thing.id = id;
   thing.thing.pose = pose;
-  things_.insert_or_assign(id, std::move(thing));
+  things_.insert_or_assign(id, Placed{std::move(thing), fall});
+}
+
+double PlacedThings::fall_of(const std::string& id) const {
+  const auto found = things_.find(id);
+  return found == things_.end() ? 0 : found->second.fall;
 }
 
 void PlacedThings::correct(std::vector<SeenThing>& things) {
-  std::erase_if(things_, [&](const auto& x) {
-    const auto& placed = x.second;
-    const auto seen = std::ranges::find(things, placed.id, &SeenThing::id);
-    const double off =
-      same_place + (is_stacked(placed.thing) ? seen_off(placed.thing.pose.position.z) : 0);
-    if (seen == things.end() || seen->colour != placed.colour ||
-        distance_on_table(seen->thing.pose.position, placed.thing.pose.position) > off)
-      return true;
-    if (is_stacked(placed.thing) || !are_as_large(seen->thing.solid, placed.thing.solid)) {
-      seen->thing.solid = placed.thing.solid;
-      seen->thing.pose = placed.thing.pose;
+  std::map<std::string, Placed> still_there;
+  for (auto& [id, placed] : things_) {
+    auto& thing = placed.thing;
+    const bool is_on_another = is_stacked(thing.thing);
+    const auto is_it = [&, &at = thing.thing.pose.position](const SeenThing& seen) {
+      const double off = same_place + (is_on_another ? seen_off(at.z) : 0);
+      return seen.colour == thing.colour && distance_on_table(seen.thing.pose.position, at) <= off;
+    };
+    auto seen = std::ranges::find(things, id, &SeenThing::id);
+    // In a stack, what is put on a thing hides some of it: vision may take the rest for a new
+    // thing.
+    if (seen == things.end() && is_on_another)
+      seen = std::ranges::find_if(
+        things, [&](const SeenThing& x) { return is_it(x) && !things_.contains(x.id); });
+    if (seen == things.end() || !is_it(*seen))
+      continue;
+    if (is_on_another || !are_as_large(seen->thing.solid, thing.thing.solid)) {
+      seen->thing.solid = thing.thing.solid;
+      seen->thing.pose = thing.thing.pose;
     }
-    return false;
-  });
+    thing.id = seen->id;
+    still_there.insert_or_assign(seen->id, std::move(placed));
+  }
+  things_ = std::move(still_there);
+  // What another thing stands on is not higher than where that was put.
+  for (const auto& [id, placed] : things_)
+    if (const auto& x = placed.thing.thing; is_stacked(x))
+      for (auto& y : things)
+        if (y.id != id && y.thing.pose.position.z < x.pose.position.z &&
+            distance_on_table(y.thing.pose.position, x.pose.position) < outer_radius(y.thing.solid))
+          y.thing.higher = 0;
 }
 
 } // namespace castor::manipulation

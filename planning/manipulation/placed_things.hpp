@@ -8,13 +8,6 @@
 
 namespace castor::manipulation {
 
-/// How far from where it is a thing may be seen whose middle is that high, metres: vision takes it to
-/// be on the table, and so sees it farther from the camera.
-inline double seen_off(double height) {
-  constexpr double share = 0.6;
-  return share * height;
-}
-
 /// Things that an arm has put down itself. They are as large as before, and where they were put,
 /// also if a picture shows something else: in the arm's shadow, the dark side of a cube is not told
 /// from the table, and a ball looks like a disc.
@@ -22,16 +15,26 @@ class PlacedThings {
 public:
   /// @param id of what is seen there now
   /// @param before the thing as it was seen before it was taken
-  /// @param pose of its middle, in the arm's frame
-  void put(const std::string& id, const SeenThing& before, const Pose& pose);
+  /// @param pose of its middle where it was let go, in the arm's frame: so far above what it stands
+  /// on that it does not seem to touch that
+  /// @param fall how far above it was let go, metres
+  void put(const std::string& id, const SeenThing& before, const Pose& pose, double fall = 0);
+
+  /// How much lower a thing stands than where it was let go, metres; 0 for what was not put down.
+  double fall_of(const std::string& id) const;
 
   /// Corrects the sizes and poses of what is seen where it was put, and not as large as it is. What
   /// is not seen there any more is forgotten.
   void correct(std::vector<SeenThing>& things);
 
 private:
+  struct Placed {
+    SeenThing thing;
+    double fall = 0;
+  };
+
   /// By the ids of what is seen there.
-  std::map<std::string, SeenThing> things_;
+  std::map<std::string, Placed> things_;
 };
 
 } // namespace castor::manipulation

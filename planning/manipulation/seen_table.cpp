@@ -99,6 +99,14 @@ std::vector<SeenThing> seen_things(const SeenEntries& entries, const Pose& arm) 
   return result;
 }
 
+void leave_out_held(std::vector<SeenThing>& things, const SeenThing& held, const Pose& at) {
+  const double size = outer_radius(held.thing.solid) + seen_off(std::max(at.position.z, 0.0));
+  std::erase_if(things, [&](const SeenThing& x) {
+    const double within = size + outer_radius(x.thing.solid);
+    return x.colour == held.colour && distance_on_table(x.thing.pose.position, at.position) < within;
+  });
+}
+
 Scene scene_of(const std::vector<SeenThing>& things) {
   Scene result{{table_top(table_length, table_length)}, {}};
   for (const auto& x : things)

@@ -35,6 +35,18 @@ struct SeenEntries {
 /// @param arm its pose in the table's frame
 std::vector<SeenThing> seen_things(const SeenEntries& entries, const Pose& arm);
 
+/// How far from where it is a thing may be seen whose middle is that high, metres: vision takes it to
+/// be on the table, and so sees it farther from the camera.
+inline double seen_off(double height) {
+  constexpr double share = 0.6;
+  return share * height;
+}
+
+/// Leaves out what is seen of the thing in the gripper, such as at the edge of the picture: nothing
+/// else can be where it is.
+/// @param at pose of its middle, in the arm's frame
+void leave_out_held(std::vector<SeenThing>& things, const SeenThing& held, const Pose& at);
+
 /// The table's surface and the things on it.
 Scene scene_of(const std::vector<SeenThing>& things);
 

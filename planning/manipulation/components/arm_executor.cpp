@@ -212,7 +212,7 @@ class ArmExecutor final : public ResumesManipulation {
         return ActionResult::failed(told_.reason);
       if (const auto carried = carry_out_all(*plan); !carried.is_done)
         return carried.end;
-      return confirmed_at(thing, plan->goal, x.to);
+      return confirmed_at(thing, *plan->goal, *goal, x.to);
     });
   }
 
@@ -283,7 +283,7 @@ class ArmExecutor final : public ResumesManipulation {
       return ActionResult::failed(told_.reason);
     if (const auto carried = carry_out_all(*plan); !carried.is_done)
       return carried.end.value_or(ActionResult::failed(told_.reason));
-    if (auto end = confirmed_at(thing, plan->goal, x.to))
+    if (auto end = confirmed_at(thing, *plan->goal, *goal, x.to))
       return *end;
     return ActionResult::failed(told_.reason);
   }
@@ -388,7 +388,8 @@ class ArmExecutor final : public ResumesManipulation {
         return {};
       }
       result.bottom = support->thing.pose.position;
-      result.bottom.z += half_height(support->thing.solid, support->thing.pose.rotation);
+      result.bottom.z += half_height(support->thing.solid, support->thing.pose.rotation) -
+                         placed_.fall_of(support->id);
       result.support = support->thing.name;
       result.text = "the top of " + result.support;
       return result;
@@ -406,12 +407,14 @@ class ArmExecutor final : public ResumesManipulation {
   }
 
   /// How the action ends, if vision sees the thing where it was put.
-  std::optional<ActionResult> confirmed_at(const SeenThing& thing, const std::optional<Pose>& goal,
-                                           const TablePlace& to) {
-    const double off = to.on.address.id.empty() ? 0 : seen_off(goal->position.z);
-    const auto* seen = find_like(things_, thing, goal->position, near_ + off);
+  /// @param pose where it was let go, for that goal
+  std::optional<ActionResult> confirmed_at(const SeenThing& thing, const Pose& pose,
+                                           const PlaceGoal& goal, const TablePlace& to) {
+    const double off = to.on.address.id.empty() ? 0 : seen_off(pose.position.z);
+    const auto* seen = find_like(things_, thing, pose.position, near_ + off);
     if (seen) {
-      placed_.put(seen->id, thing, *goal);
+      const double bottom = pose.position.z - half_height(thing.thing.solid, pose.rotation);
+      placed_.put(seen->id, thing, pose, bottom - goal.bottom.z);
       return succeeded_at(*seen);
     }
     // What stands on another thing may be one thing with it for vision.

@@ -188,6 +188,9 @@ protected:
       wait();
     }
     things_ = look_at_table(placement());
+    if (is_holding())
+      leave_out_held(things_, held_thing_,
+                     geometry::compose(tool_pose(arm(), state()->positions), held_->pose));
     placed_.correct(things_);
     let_go_.reset();
     return {};

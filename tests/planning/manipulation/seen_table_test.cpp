@@ -56,6 +56,21 @@ TEST(SeenTable, ThingsWithoutAPlaceAreLeftOut) {
   EXPECT_TRUE(seen_things(entries, before_the_table).empty());
 }
 
+TEST(SeenTable, WhatIsSeenOfTheThingInTheGripperIsLeftOut) {
+  SeenEntries entries;
+  entries.objects["1"] = object("yellow", "cylinder", -0.24, -0.25);
+  entries.objects["2"] = object("yellow", "cylinder", 0.1, 0);
+  entries.objects["3"] = object("red", "cube", -0.24, -0.25);
+  auto things = seen_things(entries, before_the_table);
+  const auto held = things[0];
+  auto at = held.thing.pose;
+  at.position.z = 0.1;
+  leave_out_held(things, held, at);
+  ASSERT_EQ(things.size(), 2u);
+  EXPECT_EQ(things[0].id, "2");
+  EXPECT_EQ(things[1].id, "3");
+}
+
 TEST(SeenTable, FreePlacesAreAwayFromWhatIsSeen) {
   const auto all = free_places({}, 0.1);
   ASSERT_FALSE(all.empty());
