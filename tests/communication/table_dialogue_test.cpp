@@ -57,6 +57,22 @@ TEST(TableDialogue, WhatIsLeftOutIsWhatWasSaidBefore) {
   EXPECT_EQ(in_row({"Which are?"}), "I do not know what that is about.");
 }
 
+/// The cube is behind the ball, and to the right of it; the disc is rather to the right of both.
+const std::vector<ThingInSet> diagonal{{"a", "sphere", "red", -0.05, -0.06, 0.04},
+                                       {"b", "cube", "blue", 0, 0.06, 0.04},
+                                       {"c", "cylinder", "green", 0.25, -0.04, 0.04}};
+
+TEST(TableDialogue, WhatIsRatherOnTheNextSideIsTold) {
+  EXPECT_EQ(reply_to(diagonal, {"Is the ball to the left of the cube?"}),
+            "Partly. It is in front of the cube.");
+  EXPECT_EQ(reply_to(diagonal, {"Is the ball in front of the cube?"}), "Yes.");
+  EXPECT_EQ(reply_to(diagonal, {"Is the ball behind the cube?"}), "No.");
+  EXPECT_EQ(reply_to(diagonal, {"What is in front of the cube?"}), "There is a small red ball.");
+  EXPECT_EQ(reply_to(diagonal, {"What is behind the cylinder?"}), "There is a small blue cube.");
+  EXPECT_EQ(reply_to(diagonal, {"Is there anything behind the cylinder?"}), "Yes.");
+  EXPECT_EQ(reply_to(diagonal, {"What is in front of the ball?"}), "There is nothing.");
+}
+
 TEST(TableDialogue, PhrasesSaidAsQuestionsAskWhatThereIs) {
   EXPECT_EQ(in_row({"A cube?"}), "Yes.");
   EXPECT_EQ(in_row({"Green things?"}), "No.");

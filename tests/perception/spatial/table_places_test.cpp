@@ -251,8 +251,8 @@ TEST(TablePlaces, BesideAThingIsNotFarFromIt) {
     EXPECT_LT(distance(at, two[1].centre) - 0.06, 0.075) << relation;
   }
   const std::vector<std::string> none;
-  const auto is_close = [&](double x, const std::string& relation) {
-    const std::vector<TableObject> objects{{{x, 0.02}, 0.03}, {{0.14, 0.02}, 0.03}};
+  const auto is_close = [&](double x, const std::string& relation, double y = 0.02) {
+    const std::vector<TableObject> objects{{{x, y}, 0.03}, {{0.14, 0.02}, 0.03}};
     for (const auto& held : TablePlaces{objects, seat}.all_held(none))
       if (held.object == 0 && held.place.relation == relation)
         return held.is_close;
@@ -262,6 +262,9 @@ TEST(TablePlaces, BesideAThingIsNotFarFromIt) {
   EXPECT_TRUE(is_close(0.0, "left"));
   EXPECT_FALSE(is_close(0.01, "near"));
   EXPECT_TRUE(is_close(0.03, "near"));
+  // Whoever asks for the left does not want it left of it and in front.
+  EXPECT_TRUE(is_close(0.02, "left", -0.01));
+  EXPECT_FALSE(is_close(0.02, "left", -0.06));
 }
 
 TEST(TablePlaces, WhatIsGivenIsAtTheMiddleHalfOfTheFrontEdge) {

@@ -33,7 +33,7 @@ const TableHistory three{3, {ball, disc, ball}};
 
 TEST(TableHistory, IsAskedByQuestions) {
   for (const auto* action : {"WhichMoved", "NotMoved", "LastMoved", "FirstMoved", "HowManyMoves",
-                             "MovesInOrder", "MovedForThat"}) {
+                             "MovesInOrder", "MovedForThat", "StartedWith", "DoneWith"}) {
     EXPECT_TRUE(asks_about_history(action));
     EXPECT_TRUE(is_question(action));
   }
@@ -89,4 +89,23 @@ TEST(TableHistory, SaysInWhichOrderAndHowOften) {
             "I have made 90 moves: last the red box and then the disc.");
   EXPECT_EQ(answer("HowManyMoves", three, {"p/a"}),
             "I have made two moves: the red ball and then the red ball again.");
+}
+
+TEST(TableHistory, SaysWhatTheLastRequestBeganWith) {
+  const TableHistory both{3, {{"c", "the red box", "before"}, {"b", "the blue ball", "that"},
+                              {"a", "the red ball", "that"}}};
+  EXPECT_EQ(answer("StartedWith", both, {"p/b"}), "Yes.");
+  EXPECT_EQ(answer("StartedWith", both, {"p/a"}), "No, I moved the blue ball first.");
+  EXPECT_EQ(answer("StartedWith", {1, {ball}}, {"p/c"}), "No, I moved the red ball first.");
+  EXPECT_EQ(answer("StartedWith", {}, {"p/c"}), "I have moved nothing.");
+}
+
+TEST(TableHistory, SaysWhatWasDoneWithAThing) {
+  const TableHistory moved{2, {{"a", "the red ball", "you said 'there'"}, ball, box}};
+  EXPECT_EQ(answer("DoneWith", moved, {"p/a"}), "I moved the red ball.");
+  EXPECT_EQ(answer("DoneWith", {1, {{"a", "the red ball", "you said 'there'"}}}, {"p/a"}),
+            "I moved the red ball: you said 'there'.");
+  EXPECT_EQ(answer("DoneWith", moved, {"p/b"}), "Nothing: I have not moved the blue ball.");
+  EXPECT_EQ(answer("DoneWith", moved, {"p/b", "p/c"}),
+            "I have not moved the blue ball. I moved the red box.");
 }

@@ -281,6 +281,32 @@ TEST_F(RequestQueueTest, DoesNotPutBackTwiceWhatACorrectionPutsBack) {
   EXPECT_THAT(rest(), ElementsAre("PutBack", "Put"));
 }
 
+TEST_F(RequestQueueTest, PutsBackNothingWhereNothingHadToBeMoved) {
+  const auto put = [](const std::string& move, const std::string& thing) {
+    auto result = step(move, "Put");
+    result.what.things = {thing};
+    result.what.places = {{"left", {}}};
+    return result;
+  };
+  queue.add({put("a", "x")}, {});
+  begin();
+  queue.done(true);
+  queue.add({put("b", "y")}, correction());
+  EXPECT_THAT(rest(), ElementsAre("Put"));
+}
+
+TEST_F(RequestQueueTest, ThereIsWhereTheRequestBeforeIsDone) {
+  auto left = step("a", "Clear");
+  left.what.places = {{"left", {}}};
+  auto there = step("b", "Clear");
+  there.what.places = {{"there", {}}};
+  queue.add({left}, {});
+  begin();
+  queue.add({there}, {});
+  ASSERT_EQ(queue.steps().waiting.size(), 1u);
+  EXPECT_EQ(queue.steps().waiting.front().what.places, left.what.places);
+}
+
 TEST_F(RequestQueueTest, AddsACorrectionOfWhatIsDoneAlready) {
   queue.add({step("a", "Take")}, {});
   begin();

@@ -368,6 +368,33 @@ TEST_F(TableMemoryTest, RemembersHowThingsWereWhenToldTo) {
   EXPECT_TRUE(things[1].is_last_moved);
 }
 
+/// Of a tower, vision sees parts: the rest of a cylinder looks like a ball, and one thing like two.
+TEST_F(TableMemoryTest, WhatIsSeenOfAStackIsWhatStandsThere) {
+  const ThingOnTable cylinder{
+    "o3", "p3", {{"colour", "yellow"}, {"shape", "cylinder"}}, {0.2, 0.1}, 0.03, 0.08};
+  memory.see({ball, box, cylinder});
+  TableGoal goal;
+  goal.new_places = 1;
+  const auto place = places_of(memory.begin(goal)).front();
+  memory.choose("reposition-on", {place, "p2"});
+  memory.moved("p3", place, "o4", {0.1, 0.0});
+  auto upper = seen_as(cylinder, "o5", {0.1, 0.04});
+  upper.qualities["shape"] = "triangle";
+  auto rest = seen_as(cylinder, "o6", {0.11, 0.06});
+  auto lower = box;
+  lower.qualities["shape"] = "sphere";
+  memory.see({ball, lower, upper, rest});
+  const auto things = memory.things({});
+  ASSERT_EQ(things.size(), 3u);
+  EXPECT_EQ(things[1].qualities.at("shape"), "cube");
+  EXPECT_EQ(things[2].qualities.at("shape"), "cylinder");
+  EXPECT_EQ(things[2].proxy, "proxy of o5");
+  EXPECT_EQ(things[2].on, "p2");
+  // What is beside it is no part of it.
+  memory.see({ball, lower, upper, seen_as(cylinder, "o7", {0.22, 0.0})});
+  EXPECT_EQ(memory.things({}).size(), 4u);
+}
+
 TEST_F(TableMemoryTest, KnowsWhatHasReturnedUntilItIsMovedAgain) {
   TableGoal back;
   back.is_return = true;
