@@ -263,6 +263,7 @@ private:
   std::optional<std::string> distinguished_by_size(const Nominal& phrase);
   std::optional<std::string> distinguished_by_side(const Nominal& phrase);
   std::optional<std::string> outermost(const Things& things, const std::string& side) const;
+  bool may_have_wide_sides();
   Fitting strict_answers(const Nominal& e, const Nominal& asked);
   Fitting outermost_answer(const Nominal& e, const Nominal& asked);
   Truth compares(const std::string& id, const Nominal& comparison);

@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/evaluation.hpp"
 #include "castor/communication/dialogue/scoped.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
+#include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
 #include <set>
@@ -54,11 +55,26 @@ Fitting Evaluation::answers(const Nominal& e, const Nominal& asked) {
   if (result.possible.empty())
     result = outermost_answer(e, asked);
   // "What is behind the cube?", where nothing is straight behind it.
-  if (result.possible.empty() && !has_wide_sides_ && !has_containers()) {
+  if (result.possible.empty() && may_have_wide_sides()) {
     ScopedValue wide{has_wide_sides_, true};
     result = strict_answers(e, asked);
   }
   return result;
+}
+
+/// It is about one side of one thing, and counts nothing.
+bool Evaluation::may_have_wide_sides() {
+  std::size_t sides = 0;
+  for (const auto& x : form_.nominals) {
+    const auto* anchor = x.sort == "region" ? dependent(form_, x, "Anchor") : nullptr;
+    if (x.sort == "region" && (anchor == nullptr || !is_definite(*anchor) || is_plural(*anchor)))
+      return false;
+    sides += x.sort == "region" ? 1 : 0;
+    if (dependent(form_, x, "Quantity") != nullptr || is_negated(x) ||
+        is_among(delimitation(x), {"all", "most", "half", "both", "none", "neither", "only"}))
+      return false;
+  }
+  return sides == 1 && !has_containers();
 }
 
 Fitting Evaluation::strict_answers(const Nominal& e, const Nominal& asked) {
@@ -81,7 +97,7 @@ Fitting Evaluation::strict_answers(const Nominal& e, const Nominal& asked) {
 }
 
 Truth Evaluation::clause_with_wide_sides(const Nominal& e) {
-  ScopedValue wide{has_wide_sides_, !has_containers()};
+  ScopedValue wide{has_wide_sides_, may_have_wide_sides()};
   return clause(e);
 }
 
@@ -220,7 +236,7 @@ Fitting Evaluation::members_of(const Nominal& phrase) {
   const bool is_lenient = found.possible.empty();
   if (is_lenient) {
     ScopedValue lenience{is_lenient_, true};
-    ScopedValue wide{has_wide_sides_, !has_containers()};
+    ScopedValue wide{has_wide_sides_, is_request() && may_have_wide_sides()};
     found = described(phrase);
   }
   if (!scene_.open_questions().empty())

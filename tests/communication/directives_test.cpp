@@ -69,6 +69,8 @@ std::string shown(const DirectiveStep& x, bool asks_whether_possible) {
                                                         {"MovesInOrder", "moves-in-order"},
                                                         {"HowManyMoves", "how-many-moves"},
                                                         {"HaveMoved", "have-moved"},
+                                                        {"StartedWith", "started-with"},
+                                                        {"DoneWith", "done-with"},
                                                         {"HowFarMoved", "how-far-moved"},
                                                         {"HowFar", "how-far"},
                                                         {"HowTall", "how-tall"},

@@ -167,7 +167,9 @@ TEST_F(Responses, ListWhatIsThere) {
   EXPECT_THAT(say("What is left of the large box?"), "There is a small red ball.");
   EXPECT_EQ(say("What do you see?"),
             "There is a small red ball, a grey thing, a small blue cube and a large blue cube.");
-  EXPECT_EQ(say("What is right of the large box?"), "There is nothing.");
+  // It is rather behind it.
+  EXPECT_EQ(say("What is right of the large box?"), "There is a grey thing.");
+  EXPECT_EQ(say("What is in front of the large box?"), "There is nothing.");
   EXPECT_EQ(say("Which thing is red?"), "There is a small red ball.");
 }
 

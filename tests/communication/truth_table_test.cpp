@@ -90,9 +90,9 @@ const std::vector<std::vector<Thing>>& scenes() {
           "blue ball 8 -20 8"),
     scene("blue ball -30 0 8, blue ball -10 0 8, blue ball 10 0 8, blue cylinder 30 0 4"),
     scene("red ball 0 0 8, blue cube 9 0 4, green cylinder 0 10 3, red cube -30 -30 5"),
-    scene("red ball -20 10 4, blue cube 0 0 8, green ? 25 -10 6"),
-    scene("? ball -20 10 4, blue cube 0 0 8, red cylinder 25 -10 6"),
-    scene("red cube -20 10 4, ? ? 5 0 8, blue ball 25 -10 6"),
+    scene("red ball -20 10 4, blue cube 0 0 8, green ? 25 -6 6"),
+    scene("? ball -20 10 4, blue cube 0 0 8, red cylinder 25 -6 6"),
+    scene("red cube -20 6 4, ? ? 5 0 8, blue ball 25 -6 6"),
     scene("blue ? 10 10 5"),
     scene("red pyramid -30 25 4, red ball -18 25 4, blue ball -6 5 8, blue cube 6 -15 8, "
           "green cube 18 -25 5, green cylinder 30 0 5, grey cylinder 42 12 3"),
