@@ -294,6 +294,28 @@ private:
     return is_about_moves || std::ranges::any_of(matters, is_only_said);
   }
 
+  /// "Move the cube nearer to the ball" is not about the ball, however like that the examples are;
+  /// "on the cube goes the ball" is.
+  bool exchanges_names(const WordList& meaning) {
+    std::vector<WordList> names;
+    std::string before;
+    for (const auto& piece : pieces())
+      if (piece.names_things)
+        names.push_back(piece.words);
+      else if (names.empty())
+        for (const auto& word : piece.words)
+          if (!may_precede_name(word))
+            before = word;
+    const bool begins_with_verb = is_handling_verb(before, lexicon()) ||
+                                  is_handling_verb(stem_of(before), lexicon()) ||
+                                  is_among(before, {"brought", "took", "gave", "got", "slid"});
+    if (names.size() != 2 || names[0] == names[1] || !begins_with_verb)
+      return false;
+    const auto first = std::ranges::search(meaning, names[0]);
+    const auto second = std::ranges::search(meaning, names[1]);
+    return !first.empty() && !second.empty() && second.begin() < first.begin();
+  }
+
   /// What makes a request of it, or another matter.
   bool cannot_mean(const Examples::Match& match) {
     const auto& meaning = match.meaning;
@@ -301,6 +323,8 @@ private:
       return true;
     if (may_begin_question(meaning.front()))
       return false;
+    if (exchanges_names(meaning))
+      return true;
     if (written(meaning) == remark)
       return !may_be_remark(false) || has_handling_verb();
     // Nothing that it can do may be denied. What is not known is named: "I do not know how to

@@ -444,11 +444,14 @@ Response Responder::to_question_yn() {
 }
 
 /// "Is the ball left of the cube?", where it is rather behind it: "Partly. It is behind the cube."
-/// "Is anything behind the cube?": what is told then is there.
+/// "Is anything behind the cube?": what there is.
 Response Responder::partly() {
   const auto* subject = dependent(form_, root(), "Cop-Restr");
   const auto* scope = dependent(form_, root(), "Cop-Scope");
   const auto* anchor = scope == nullptr ? nullptr : dependent(form_, *scope, "Anchor");
+  const auto* asked = root().sort == "existence" ? dependent(form_, root(), "Subject") : subject;
+  if (asked != nullptr && !is_definite_phrase(*asked))
+    return list(evaluation_.answers(root(), *asked).certain);
   if (subject == nullptr || anchor == nullptr || !is_definite_phrase(*subject) ||
       !is_definite_phrase(*anchor) || is_plural(*subject) || is_plural(*anchor))
     return yes_or_no(Truth::yes);

@@ -190,6 +190,14 @@ Proxies last_several(const std::vector<const MoveReferents*>& moves) {
   return latest({moves.front()}, true);
 }
 
+/// "Which one is nearest to the cube? - A ball and a disc.": "that one" is one of these.
+bool has_several_answers(const std::vector<const MoveReferents*>& moves) {
+  return !moves.empty() &&
+         std::ranges::any_of(moves.front()->referents, [](const DiscourseReferent& x) {
+           return x.is_answer && x.proxies.size() > 1;
+         });
+}
+
 /// "Put the disc on the box. Now take it away from it.": the second is another thing.
 bool is_place_of_other(const LogicalForm& form, const Nominal& x) {
   const auto* root = find_nominal(form, form.root);
@@ -216,8 +224,9 @@ Antecedents antecedents_in(const LogicalForm& form, const std::vector<const Move
       // "Is the ball the same colour?"
       found = latest(moves, false);
     } else if (is_deictic(x) || feature(x, "Recent") == "true") {
-      // What is shown is not what was spoken of some time ago.
-      found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, is_plural(x));
+      // What is shown is not what was spoken of some time ago, nor beside an answer.
+      if (is_plural(x) || !has_several_answers(moves))
+        found = latest({moves.begin(), moves.begin() + (moves.empty() ? 0 : 1)}, is_plural(x));
     } else if (is_pronoun(x) || (is_anaphoric(x, vocabulary) && !is_one_of_several(x, moves))) {
       found = latest(moves, is_plural(x));
       if (is_pronoun(x) && is_place_of_other(form, x))
@@ -232,7 +241,8 @@ Antecedents antecedents_in(const LogicalForm& form, const std::vector<const Move
     if (x.sort != "thing" || is_pronoun(x) || is_plural(x) || !is_definite(x) ||
         is_about_others(form, x) || is_told_by_what_was_done(form, x))
       continue;
-    if (auto singles = last_singles(moves); !singles.empty())
+    if (auto singles = last_singles(moves);
+        !singles.empty() && !(!feature(x, "Proximity").empty() && has_several_answers(moves)))
       result.emplace(x.name + std::string{spoken_of_last}, std::move(singles));
     if (auto several = last_several(moves); !several.empty())
       result.emplace(x.name + std::string{last_group}, std::move(several));

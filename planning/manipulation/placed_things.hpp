@@ -23,6 +23,9 @@ public:
   /// How much lower a thing stands than where it was let go, metres; 0 for what was not put down.
   double fall_of(const std::string& id) const;
 
+  /// It is taken away.
+  void forget(const std::string& id) { things_.erase(id); }
+
   /// Corrects the sizes and poses of what is seen where it was put, and not as large as it is. What
   /// is not seen there any more is forgotten.
   void correct(std::vector<SeenThing>& things);

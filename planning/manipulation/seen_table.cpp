@@ -103,7 +103,8 @@ void leave_out_held(std::vector<SeenThing>& things, const SeenThing& held, const
   const double size = outer_radius(held.thing.solid) + seen_off(std::max(at.position.z, 0.0));
   std::erase_if(things, [&](const SeenThing& x) {
     const double within = size + outer_radius(x.thing.solid);
-    return x.colour == held.colour && distance_on_table(x.thing.pose.position, at.position) < within;
+    return x.colour == held.colour &&
+           distance_on_table(x.thing.pose.position, at.position) < within;
   });
 }
 

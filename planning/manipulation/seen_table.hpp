@@ -35,8 +35,8 @@ struct SeenEntries {
 /// @param arm its pose in the table's frame
 std::vector<SeenThing> seen_things(const SeenEntries& entries, const Pose& arm);
 
-/// How far from where it is a thing may be seen whose middle is that high, metres: vision takes it to
-/// be on the table, and so sees it farther from the camera.
+/// How far from where it is a thing may be seen whose middle is that high, metres: vision takes it
+/// to be on the table, and so sees it farther from the camera.
 inline double seen_off(double height) {
   constexpr double share = 0.6;
   return share * height;

@@ -86,16 +86,22 @@ TableGoal TableGoalMaker::answer_question() const {
   return how_large(action == "HowTall");
 }
 
-/// "Is everything where it was at the beginning?"
+/// "Is everything where it was at the beginning? And the cube?"
 TableGoal TableGoalMaker::displaced() const {
   Things moved;
   for (const auto& x : table_)
-    if (x.was_moved() && (x.is_held || x.waypoint != x.waypoint_at_first))
+    if (x.was_moved() && (x.is_held || x.waypoint != x.waypoint_at_first) &&
+        (things_.empty() || std::ranges::find(things_, &x) != things_.end()))
       moved.push_back(&x);
-  if (moved.empty())
+  const auto place_of = [](const Things& x) {
+    return std::string{x.size() == 1 ? " where it was at first" : " where they were at first"};
+  };
+  if (moved.empty() && things_.empty())
     return answer("Everything is where it was at first.");
-  return answer(sentence(listed(moved) + are(moved) + " not where " +
-                         (moved.size() == 1 ? "it was" : "they were") + " at first"));
+  if (moved.empty())
+    return answer("Yes, " + listed(things_) + are(things_) + place_of(things_) + '.');
+  const auto not_there = listed(moved) + are(moved) + " not" + place_of(moved);
+  return answer(things_.empty() ? sentence(not_there) : "No, " + not_there + '.');
 }
 
 TableGoal TableGoalMaker::touching() const {

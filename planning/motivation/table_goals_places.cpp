@@ -133,7 +133,7 @@ TableGoal TableGoalMaker::arrange(const std::string& arrangement, const std::str
   if (side.starts_with(towards)) {
     auto part = words_for(part_words, side.substr(towards.size()));
     part.remove_prefix(part.starts_with(at) ? at.size() : 0);
-    words += " as near to " + std::string{part} + " as I reach";
+    words += " as near to " + std::string{part} + " as I reach with them";
   } else if (!side.empty())
     words += ' ' + std::string{words_for(part_words, side)};
   if (things_.size() < 2)
@@ -258,9 +258,14 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
            std::string{words_for(part_words, quarter)} + " already.";
   if (const auto spots = spots_at_edge(part); !spots.empty()) {
     constexpr std::string_view at = "at ";
-    const bool are_there = std::ranges::all_of(spots, &EdgeSpot::is_at_edge);
-    where += are_there ? ' ' + std::string{wanted}
-                       : " as near to " + std::string{wanted.substr(at.size())} + " as I reach";
+    const auto there = std::ranges::count_if(spots, &EdgeSpot::is_at_edge);
+    if (there > 0)
+      where += ' ' + std::string{wanted};
+    if (there > 0 && there < std::ssize(spots))
+      where += " or as near to it as I reach";
+    else if (there == 0)
+      where += " as near to " + std::string{wanted.substr(at.size())} + " as I reach with " +
+               (things_.size() == 1 ? "it" : "them");
     for (std::size_t i = 0; i < things_.size(); ++i) {
       facts_.push_back(at_waypoint(*things_[i], spots[i].spot.name));
       if (spots[i].spot.name != things_[i]->waypoint)
@@ -276,7 +281,8 @@ std::optional<std::string> TableGoalMaker::put_in_part(const DirectivePlace& pla
            ". Tell me another place.";
   if (nearest || !is_in_corner) {
     constexpr std::string_view in = "in ";
-    where += " as near to " + std::string{wanted.substr(in.size())} + " as I reach";
+    where += " as near to " + std::string{wanted.substr(in.size())} + " as I reach with " +
+             (things_.size() == 1 ? "it" : "them");
   } else if (const auto* other = part == "centre" ? thing_in_middle() : nullptr)
     where += " as near to the middle as there is room beside " + other->words;
   else

@@ -173,13 +173,21 @@ void TableMemory::see_stacks(std::vector<const ThingOnTable*>& others, std::set<
              behind < base.seen.radius + height * shift_by_height;
     };
     for (auto* x : stack) {
-      const auto part = std::ranges::find_if(
-        others, [&](const auto* other) { return is_part_of(*other, *x); });
-      if (part == others.end() || seen.contains(x->name))
+      if (seen.contains(x->name))
+        continue;
+      auto part =
+        std::ranges::find_if(others, [&](const auto* other) { return is_part_of(*other, *x); });
+      // Vision may see the whole stack as one thing, which is taken for the lowest.
+      if (part == others.end() && x == &base)
+        part = std::ranges::find_if(
+          others, [&](const auto* other) { return distance(other->place, at) < moved_distance; });
+      if (part == others.end())
         continue;
       const auto before = x->seen;
       see_as(*x, **part);
       keep_form(*x, before);
+      if (x == &base)
+        x->seen.place = before.place;
       seen.insert(x->name);
       others.erase(part);
     }
@@ -209,22 +217,16 @@ void TableMemory::see(const std::vector<ThingOnTable>& things, bool is_complete)
     }
   see_stacks(others, seen, loaded);
   std::erase_if(things_, [&](Thing& x) {
-    if (seen.contains(x.name) || x.is_held || !x.on.empty())
+    if (seen.contains(x.name) || x.is_held || !x.on.empty() || loaded.contains(x.name))
       return false;
-    const bool is_loaded = loaded.contains(x.name);
     const auto gap = [&](const ThingOnTable* other) {
-      const auto result = distance(other->place, x.seen.place);
-      // What stands on it changes how it looks.
-      const bool is_it = is_loaded ? result < moved_distance : look_alike(*other, x.seen);
-      return is_it ? result : std::numeric_limits<double>::infinity();
+      return look_alike(*other, x.seen) ? distance(other->place, x.seen.place)
+                                        : std::numeric_limits<double>::infinity();
     };
     const auto nearest = std::ranges::min_element(others, {}, gap);
     if (nearest == others.end() || std::isinf(gap(*nearest)))
-      return is_complete && !is_loaded;
-    if (is_loaded)
-      x.seen.id = (*nearest)->id;
-    else
-      see_as(x, **nearest);
+      return is_complete;
+    see_as(x, **nearest);
     others.erase(nearest);
     return false;
   });

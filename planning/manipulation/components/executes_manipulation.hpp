@@ -321,6 +321,7 @@ protected:
       held_.reset();
     else if (stage.takes) {
       held_ = stage.takes;
+      placed_.forget(held_thing_.id);
       std::erase_if(things_, [&](const auto& x) { return x.thing.name == held_->name; });
     }
   }

@@ -263,7 +263,7 @@ TEST(TablePlaces, BesideAThingIsNotFarFromIt) {
   EXPECT_FALSE(is_close(0.01, "near"));
   EXPECT_TRUE(is_close(0.03, "near"));
   // Whoever asks for the left does not want it left of it and in front.
-  EXPECT_TRUE(is_close(0.02, "left", -0.01));
+  EXPECT_TRUE(is_close(0.02, "left", 0.03));
   EXPECT_FALSE(is_close(0.02, "left", -0.06));
 }
 

@@ -90,4 +90,24 @@ TEST(PlacedThings, AreForgottenOnceSomebodyElseHasMovedThem) {
   EXPECT_EQ(red[0].thing.solid.size.z, 0.03);
 }
 
+/// In a tower, a thing may be seen as a new one; and one that was taken away is nowhere else.
+TEST(PlacedThings, OfATowerAreKnownAgainUntilTheyAreTaken) {
+  PlacedThings placed;
+  const Pose high{{0.3, 0, 0.13}, {}, arm_frame};
+  placed.put("1", seen("0", "cube", cube, 0.4, 0.1), high, 0.004);
+  EXPECT_EQ(placed.fall_of("1"), 0.004);
+  std::vector<SeenThing> things{seen("2", "cube", cube, 0.36, 0.01),
+                                seen("below", "cube", cube, 0.3, 0)};
+  things[1].colour = "red";
+  things[1].thing.higher = 0.01;
+  placed.correct(things);
+  EXPECT_EQ(things[0].thing.pose.position.z, 0.13);
+  EXPECT_EQ(things[1].thing.higher, 0);
+  EXPECT_EQ(placed.fall_of("2"), 0.004);
+  placed.forget("2");
+  things[0] = seen("2", "cube", cube, 0.36, 0.01);
+  placed.correct(things);
+  EXPECT_EQ(things[0].thing.pose.position.z, 0.025);
+}
+
 } // namespace castor::manipulation

@@ -79,8 +79,8 @@ TEST(TableGoals, ACornerThatIsNotReachedIsAQuarterOfTheTable) {
   const DirectiveStep back{"Put", {"p/b"}, 0, {{"back-right-corner", {}}}, {}};
   const auto goal = goal_of(back, table, in_front);
   EXPECT_EQ(goal.formula, "(and (in-part b back-right))");
-  EXPECT_EQ(goal.words, "put the blue ball as near to the back right corner as I reach");
-  EXPECT_EQ(goal.result, "The blue ball is as near to the back right corner as I reach now.");
+  EXPECT_EQ(goal.words, "put the blue ball as near to the back right corner as I reach with it");
+  EXPECT_EQ(goal.result, "The blue ball is as near to the back right corner as I reach with it now.");
   EXPECT_EQ(goal_of(back, table).formula, "(and (in-part b back-right-corner))");
   const DirectiveStep front{"Put", {"p/b"}, 0, {{"front-right-corner", {}}}, {}};
   EXPECT_EQ(goal_of(front, table, in_front).formula, "(and (in-part b front-right-corner))");
@@ -108,7 +108,7 @@ TableLanding landing_up_to(double farthest) {
 TEST(TableGoals, WhatTheArmCannotPutInTheMiddleOfAnEdgeIsPutAsNearAsItCan) {
   const DirectiveStep back{"Put", {"p/b"}, 0, {{"back-edge", {}}, {"centre", {}}}, {}};
   const auto goal = goal_of(back, table, reach_in_box, {}, landing_up_to(0.13));
-  EXPECT_EQ(goal.words, "put the blue ball as near to the middle of the back edge as I reach");
+  EXPECT_EQ(goal.words, "put the blue ball as near to the middle of the back edge as I reach with it");
   EXPECT_EQ(goal.formula, "(and (= (pos b) spot-of-b))");
   ASSERT_EQ(goal.spots.size(), 1U);
   EXPECT_LT(goal.spots.front().y, 0.13);
@@ -126,7 +126,7 @@ TEST(TableGoals, WhatIsPutAtAnEdgeStandsWhereTheArmCanPutIt) {
   ASSERT_EQ(there.spots.size(), 1U);
   EXPECT_GT(there.spots.front().y, 0.2);
   const auto near = goal_of(back, table, reach_in_box, {}, landing_up_to(0.13));
-  EXPECT_EQ(near.words, "put the blue ball as near to the back edge as I reach");
+  EXPECT_EQ(near.words, "put the blue ball as near to the back edge as I reach with it");
   ASSERT_EQ(near.spots.size(), 1U);
   EXPECT_LT(near.spots.front().y, 0.13);
   EXPECT_GT(near.spots.front().y, 0.09);

@@ -92,8 +92,10 @@ TEST(TableHistory, SaysInWhichOrderAndHowOften) {
 }
 
 TEST(TableHistory, SaysWhatTheLastRequestBeganWith) {
-  const TableHistory both{3, {{"c", "the red box", "before"}, {"b", "the blue ball", "that"},
-                              {"a", "the red ball", "that"}}};
+  const TableHistory both{3,
+                          {{"c", "the red box", "before"},
+                           {"b", "the blue ball", "that"},
+                           {"a", "the red ball", "that"}}};
   EXPECT_EQ(answer("StartedWith", both, {"p/b"}), "Yes.");
   EXPECT_EQ(answer("StartedWith", both, {"p/a"}), "No, I moved the blue ball first.");
   EXPECT_EQ(answer("StartedWith", {1, {ball}}, {"p/c"}), "No, I moved the red ball first.");

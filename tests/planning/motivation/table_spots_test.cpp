@@ -324,6 +324,10 @@ TEST(TableAnswers, WhatIsNotWhereItWasAtFirst) {
   things[3].waypoint_at_first = things[3].waypoint;
   EXPECT_EQ(words_of({"Displaced", {}, 0, {}, {}}, things),
             "The box is not where it was at first.");
+  EXPECT_EQ(words_of({"Displaced", {"p/box"}, 0, {}, {}}, things),
+            "No, the box is not where it was at first.");
+  EXPECT_EQ(words_of({"Displaced", {"p/ball"}, 0, {}, {}}, things),
+            "Yes, the ball is where it was at first.");
 }
 
 TEST(TableAnswers, WhetherThingsTouch) {

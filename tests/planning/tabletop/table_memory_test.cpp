@@ -370,8 +370,8 @@ TEST_F(TableMemoryTest, RemembersHowThingsWereWhenToldTo) {
 
 /// Of a tower, vision sees parts: the rest of a cylinder looks like a ball, and one thing like two.
 TEST_F(TableMemoryTest, WhatIsSeenOfAStackIsWhatStandsThere) {
-  const ThingOnTable cylinder{
-    "o3", "p3", {{"colour", "yellow"}, {"shape", "cylinder"}}, {0.2, 0.1}, 0.03, 0.08};
+  const ThingOnTable cylinder{"o3",       "p3", {{"colour", "yellow"}, {"shape", "cylinder"}},
+                              {0.2, 0.1}, 0.03, 0.08};
   memory.see({ball, box, cylinder});
   TableGoal goal;
   goal.new_places = 1;
