@@ -2,6 +2,7 @@
 
 #include "castor/communication/dialogue/clause_parts.hpp"
 #include "castor/communication/dialogue/descriptions.hpp"
+#include "castor/communication/parsing/english_words.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 #include "castor/communication/parsing/packing.hpp"
 #include "castor/communication/parsing/tokens.hpp"
@@ -234,6 +235,38 @@ std::string unknown_deed(const std::string& text, const std::vector<std::string>
   return has_object ? *word : std::string{};
 }
 
+/// "Hand me the small screwdriver": the noun of what it has no word for and so does not see, if
+/// that is an English word; else empty.
+std::string missing_thing(const std::string& text, const std::string& unknown) {
+  constexpr std::ptrdiff_t most_adjectives = 2;
+  const auto words = words_of(text);
+  const auto noun = std::ranges::find(words, unknown);
+  if (noun == words.end() || !is_english_word(unknown))
+    return {};
+  const auto next = std::next(noun);
+  const bool ends_phrase =
+    next == words.end() ||
+    is_among(*next, {",",    "and",  "please", "to",     "on",     "in",     "at",
+                     "into", "onto", "next",   "beside", "behind", "near",   "from",
+                     "for",  "now",  "then",   "over",   "under",  "between"});
+  const auto begin =
+    noun - words.begin() <= most_adjectives ? words.begin() : noun - most_adjectives - 1;
+  const bool has_article = std::any_of(begin, noun, [](const auto& x) {
+    return is_among(x, {"the", "a", "an", "my", "your", "this", "that", "some", "any"});
+  });
+  return ends_phrase && has_article ? unknown : std::string{};
+}
+
+std::string does_not_see(const std::string& noun) {
+  const bool is_plural = noun.ends_with('s') && !noun.ends_with("ss");
+  const bool has_vowel = std::string_view{"aeiou"}.find(noun.front()) != std::string_view::npos;
+  return "I do not see " +
+         std::string{is_plural   ? "any "
+                     : has_vowel ? "an "
+                                 : "a "} +
+         noun + ", or do not know " + (is_plural ? "them" : "it") + " by that name.";
+}
+
 } // namespace
 
 std::string problem_of(const PackedLogicalForm& form, const WordMeanings& meanings) {
@@ -247,6 +280,9 @@ std::string problem_of(const PackedLogicalForm& form, const WordMeanings& meanin
   if (const auto deeds = meanings.replies.find("deeds"); deeds != meanings.replies.end())
     if (const auto verb = unknown_deed(form.text, unknown); !verb.empty())
       return "I do not know how to " + verb + ". " + deeds->second;
+  if (unknown.size() == 1)
+    if (const auto noun = missing_thing(form.text, unknown.front()); !noun.empty())
+      return does_not_see(noun);
   const auto& problem = form.unparsable.front();
   if (unknown.empty())
     text += ": " + problem.reason;

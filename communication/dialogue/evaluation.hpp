@@ -249,7 +249,7 @@ private:
   Truth looks(const std::string& id, const WordMeanings::Look& look);
   Truth conjoined(const std::string& id, const Nominal& conjunction, const Nominal* among);
   Truth is_in(const std::string& id, const Nominal& region);
-  Truth is_on_top(const std::string& id);
+  Truth is_end_of_stack(const std::string& id, bool is_top);
   Things surroundings_of_addressee();
   Truth is_in_part_of_table(const std::string& id, const std::string& part);
   Truth is_related(const std::string& id, const std::string& relation, const Nominal& anchor);

@@ -151,8 +151,9 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
     return truth_of(std::ranges::find(stack, id) != stack.end());
   }
   const bool is_top = relation == "top" || relation == "on-top";
-  if (is_top && anchor == nullptr && !has_containers() && scene_.knows_relation("on"))
-    return is_on_top(id);
+  if ((is_top || relation == "base") && anchor == nullptr && !has_containers() &&
+      scene_.knows_relation("on"))
+    return is_end_of_stack(id, is_top);
   if (auto result = is_in_container_part(id, region))
     return *result;
   if (anchor != nullptr)
@@ -195,8 +196,9 @@ Truth Evaluation::is_in(const std::string& id, const Nominal& region) {
   return is_related(id, vocabulary().relation_of(relation).value_or(relation), *anchor);
 }
 
-/// "Which one is on top?": it stands on something, and nothing stands on it.
-Truth Evaluation::is_on_top(const std::string& id) {
+/// "Which one is on top?": it stands on something, and nothing stands on it. "What is at the
+/// bottom?": something stands on it, and it stands on nothing.
+Truth Evaluation::is_end_of_stack(const std::string& id, bool is_top) {
   auto is_on_something = Truth::no;
   auto is_under_something = Truth::no;
   for (const auto& other : scene_.things()) {
@@ -205,7 +207,8 @@ Truth Evaluation::is_on_top(const std::string& id) {
     is_on_something = either(is_on_something, scene_.is_related("on", id, other));
     is_under_something = either(is_under_something, scene_.is_related("on", other, id));
   }
-  return both(is_on_something, negation(is_under_something));
+  return is_top ? both(is_on_something, negation(is_under_something))
+                : both(is_under_something, negation(is_on_something));
 }
 
 /// Where rooms are to each other is known only as far as somebody tells it: that they adjoin, but

@@ -33,6 +33,16 @@ bool is_side(const std::string& word) {
   return is_among(word, {"left", "right", "front", "back"});
 }
 
+bool is_part(const std::string& word) {
+  return is_side(word) || is_among(word, {"middle", "centre", "center", "edge", "corner", "side",
+                                          "end", "table", "top", "bottom"});
+}
+
+bool begins_place(const std::string& word) {
+  return is_among(word, {"on", "onto", "to", "at", "in", "into", "behind", "beside", "near", "next",
+                         "between", "under"});
+}
+
 /// Positions of words.
 struct Range {
   std::size_t begin = 0;
@@ -88,10 +98,32 @@ std::optional<Words> with_thing(const Words& words, const Range& sign, const Ran
   for (std::size_t i = 0; i < sign.begin; ++i)
     if (words[i] == noun)
       places.push_back(i);
-  // "... the ball, no, the blue one" is of the same kind as the last.
-  const auto at = places.size() == 1 ? places.front() : sign.begin - 1;
-  const auto old = phrase_at(words, at);
-  return old ? std::optional{spliced(words, *old, sign, said)} : std::nullopt;
+  if (places.size() == 1) {
+    const auto old = phrase_at(words, places.front());
+    return old ? std::optional{spliced(words, *old, sign, said)} : std::nullopt;
+  }
+  // "... the ball, no, the blue one" is of the same kind as the last thing: no part of the table.
+  for (auto at = sign.begin; at-- > 0;)
+    if (const auto old = phrase_at(words, at); old && !is_part(words[at]))
+      return spliced(words, *old, sign, said);
+  return std::nullopt;
+}
+
+/// "At the front", after the sign, in place of the last place. What says "it" is about that place.
+std::optional<Words> with_place(const Words& words, const Range& sign, const Range& said) {
+  constexpr std::size_t most_words_of_place = 6;
+  const auto begin = words.begin() + static_cast<std::ptrdiff_t>(said.begin);
+  const auto end = words.begin() + static_cast<std::ptrdiff_t>(said.end);
+  if (said.end - said.begin > most_words_of_place || std::find(begin, end, "it") != end)
+    return std::nullopt;
+  for (auto at = sign.begin; at-- > 1;) {
+    if (words[at] == ",")
+      return std::nullopt;
+    // "Next to", and "in front of", from their beginning.
+    if (begins_place(words[at]) && words[at - 1] != "next")
+      return spliced(words, {at, sign.begin}, sign, said);
+  }
+  return std::nullopt;
 }
 
 /// "On the right of it", after the sign, which was on the left.
@@ -125,9 +157,11 @@ std::optional<Words> self_corrected(const Words& words) {
   const auto length = said.end - said.begin;
   if (is_article(words[said.begin]) && length > 1 && length <= most_words_of_phrase + 1)
     return with_thing(words, *sign, said);
-  if (is_among(words[said.begin], {"on", "to", "at"}) && length >= 3)
-    return with_side(words, *sign, said);
-  return std::nullopt;
+  if (!begins_place(words[said.begin]) || length < 3)
+    return std::nullopt;
+  if (auto other_side = with_side(words, *sign, said))
+    return other_side;
+  return with_place(words, *sign, said);
 }
 
 } // namespace castor::communication

@@ -39,6 +39,22 @@ TEST(SelfCorrection, IsOfASide) {
             "put the cube on the right of the disc");
 }
 
+TEST(SelfCorrection, IsOfTheLastThingAndNotOfAPartOfTheTable) {
+  EXPECT_EQ(corrected("Put the ball at the back, no sorry, the cube."), "put the cube at the back");
+  EXPECT_EQ(corrected("Move the blue ball to the left edge, oh no, the red cube."),
+            "move the red cube to the left edge");
+}
+
+TEST(SelfCorrection, IsOfAPlace) {
+  EXPECT_EQ(corrected("Put the cube at the back, sorry, at the front."),
+            "put the cube at the front");
+  EXPECT_EQ(corrected("Put the cube next to the disc, no, behind the ball."),
+            "put the cube behind the ball");
+  EXPECT_EQ(corrected("Move the cube to the left edge, no, wait, in the middle of the table."),
+            "move the cube in the middle of the table");
+  EXPECT_EQ(corrected("Put the cube in front of the disc, no, behind it."), "");
+}
+
 TEST(SelfCorrection, IsNothingElse) {
   for (const auto* said :
        {"Put the cube on the disc, and the ball on the left.", "No, the red cube.",

@@ -74,6 +74,17 @@ TEST(TableDialogue, WhatIsRatherOnTheNextSideIsTold) {
   EXPECT_EQ(reply_to(diagonal, {"What is in front of the ball?"}), "There is nothing.");
 }
 
+TEST(TableDialogue, EndsOfAStackAreTold) {
+  TableScene table;
+  lay_out(beside_each_other, table);
+  table.relate("on", "a", "b");
+  table.relate("on", "b", "c");
+  TableTalk talk{[&](auto& asked) { return table.reply(asked); }};
+  EXPECT_EQ(talk.say("What is at the bottom?").text, "There is a large yellow cylinder.");
+  EXPECT_EQ(talk.say("Which one is on top?").text, "There is a large red ball.");
+  EXPECT_EQ(talk.say("Which one is at the very bottom?").text, "There is a large yellow cylinder.");
+}
+
 TEST(TableDialogue, PhrasesSaidAsQuestionsAskWhatThereIs) {
   EXPECT_EQ(in_row({"A cube?"}), "Yes.");
   EXPECT_EQ(in_row({"Green things?"}), "No.");
