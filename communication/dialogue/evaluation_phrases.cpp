@@ -6,6 +6,7 @@
 #include "castor/communication/parsing/word_lists.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -62,8 +63,11 @@ Fitting Evaluation::answers(const Nominal& e, const Nominal& asked) {
   return result;
 }
 
-/// It is about one side of one thing, and counts nothing.
+/// It is about one side of one thing, and counts nothing; and somebody tells what is on which side.
 bool Evaluation::may_have_wide_sides() {
+  const auto is_told = [&](const char* side) { return scene_.knows_relation(side); };
+  if (std::ranges::none_of(std::array{"left", "right", "front", "back"}, is_told))
+    return false;
   std::size_t sides = 0;
   for (const auto& x : form_.nominals) {
     const auto* anchor = x.sort == "region" ? dependent(form_, x, "Anchor") : nullptr;

@@ -104,8 +104,9 @@ std::optional<Words> with_thing(const Words& words, const Range& sign, const Ran
   }
   // "... the ball, no, the blue one" is of the same kind as the last thing: no part of the table.
   for (auto at = sign.begin; at-- > 0;)
-    if (const auto old = phrase_at(words, at); old && !is_part(words[at]))
-      return spliced(words, *old, sign, said);
+    if (!is_part(words[at]) && !begins_place(words[at]) && !is_article(words[at]))
+      if (const auto old = phrase_at(words, at))
+        return spliced(words, *old, sign, said);
   return std::nullopt;
 }
 

@@ -60,7 +60,7 @@ struct PlacingOptions {
   /// Gaps up to which what is near a landmark, or on a side of it, is clearly so and need not be
   /// brought nearer, metres.
   double clearly_near_gap = 0.06;
-  double clearly_beside_gap = 0.10;
+  double clearly_beside_gap = 0.085;
   /// Fit to a side from which on it is clearly on it: up to some 25 degrees off.
   double clear_side_fit = 0.4;
   /// Where things are put is so far inside of what is wanted, if possible, metres: hands and eyes

@@ -16,6 +16,16 @@ bool moves_named_things(const DirectiveStep& x) {
          (x.action == "Put" || x.action == "Take" || x.action == "Give" || x.action == "Push");
 }
 
+bool puts_back(const DirectiveStep& x) {
+  return (x.action == "PutBack" && x.places.empty()) || x.action == "Undo";
+}
+
+/// "It was better before. Put it back.": the second asks for what the first does.
+bool is_said_again(const DirectiveStep& x, const DirectiveStep& before) {
+  return puts_back(x) && puts_back(before) &&
+         (x.things.empty() || before.things.empty() || x.things == before.things);
+}
+
 /// Its things, and those that its places are told by.
 std::vector<std::string> mentioned_in(const DirectiveStep& x) {
   auto result = x.things;
@@ -74,8 +84,8 @@ bool RequestQueue::moved_other_than(const RequestedStep& step) const {
                          (last.action == "Swap" && last.things.size() == 2) ||
                          (last.action == "Put" && !last.places.empty() && last.things.size() == 1 &&
                           step.what.things.size() == 1);
-  return !is_busy() && !steps_.was_so && steps_.waiting.empty() && steps_.given_up.empty() && is_same_deed &&
-         is_undone && last.number == 0 && step.what.things != last.things;
+  return !is_busy() && !steps_.was_so && steps_.waiting.empty() && steps_.given_up.empty() &&
+         is_same_deed && is_undone && last.number == 0 && step.what.things != last.things;
 }
 
 /// "Wrong, the red cube": what was moved is put back where it was, what was swapped is swapped
@@ -98,9 +108,15 @@ void RequestQueue::resolve_there(RequestedStep& step) const {
 
 Address RequestQueue::add(std::vector<RequestedStep> steps,
                           const communication::MoveReferents& said) {
+  auto& waiting = steps_.waiting;
+  std::erase_if(steps, [&](const RequestedStep& x) {
+    return (is_busy() && is_said_again(x.what, steps_.current.what)) ||
+           std::ranges::any_of(waiting, [&](const RequestedStep& before) {
+             return is_said_again(x.what, before.what);
+           });
+  });
   if (!steps.empty())
     resolve_there(steps.front());
-  auto& waiting = steps_.waiting;
   Address unwanted;
   std::optional<RequestedStep> back;
   if (said.corrects && !steps.empty() && moved_other_than(steps.front()))

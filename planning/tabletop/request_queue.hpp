@@ -22,6 +22,7 @@ public:
   /// - `comes_first`: the step that is done, or the request that was given up last, comes after;
   /// - `corrects`: they take the place of the last request that is not done yet, if there is one.
   ///   If another thing was taken, or put there, it is put back first.
+  /// What is about to be put back is not put back twice.
   /// \returns the motive that is not wanted now; without an id for none
   Address add(std::vector<RequestedStep> steps, const communication::MoveReferents& said);
 

@@ -138,7 +138,10 @@ class TableMotives final : public HearsRequests {
     // the ball" does not.
     if (!has_to_wait && !waits_first && queue_.resume())
       perform(manipulation_, manipulation::ResumeArm{}).wait(patience_.get());
-    if (has_to_wait)
+    if (!queue_.has_steps_of(referents.move.address)) {
+      reply(referents.move, MotiveReply::accepted, "I am about to do that.");
+      tell_end_of(referents.move, true);
+    } else if (has_to_wait)
       reply(referents.move, MotiveReply::accepted, "I will do that then.");
     remember();
   }

@@ -281,6 +281,23 @@ TEST_F(RequestQueueTest, DoesNotPutBackTwiceWhatACorrectionPutsBack) {
   EXPECT_THAT(rest(), ElementsAre("PutBack", "Put"));
 }
 
+/// "It was better before. Put it back."
+TEST_F(RequestQueueTest, PutsBackOnceWhatIsSaidTwice) {
+  auto back = step("b", "PutBack");
+  back.what.things = {"x"};
+  queue.add({step("a", "Undo")}, {});
+  begin();
+  queue.add({back}, {});
+  EXPECT_FALSE(queue.has_steps_of(back.move.address));
+  queue.done();
+  queue.add({back}, {});
+  EXPECT_THAT(rest(), ElementsAre("PutBack"));
+  auto other = step("c", "PutBack");
+  other.what.things = {"y"};
+  queue.add({back, other}, {});
+  EXPECT_THAT(rest(), ElementsAre("PutBack", "PutBack"));
+}
+
 TEST_F(RequestQueueTest, PutsBackNothingWhereNothingHadToBeMoved) {
   const auto put = [](const std::string& move, const std::string& thing) {
     auto result = step(move, "Put");
