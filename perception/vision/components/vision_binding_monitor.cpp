@@ -61,22 +61,24 @@ class VisionBindingMonitor final : public binding::BindingMonitor {
   }
 
   void remember(const ChangeEvent& event) {
-    auto known =
-      std::ranges::find_if(remembered_, [&](auto& x) { return partly_seen(x.first) == event.address.id; });
-    try {
-      if (event.operation == Operation::remove && known != remembered_.end()) {
-        const auto id = known->first;
-        remembered_.erase(known);
-        look(here(id));
-      } else if (event.operation != Operation::remove) {
+    std::string id;
+    if (event.operation == Operation::remove) {
+      const auto known = std::ranges::find_if(
+        remembered_, [&](const auto& x) { return partly_seen(x.first) == event.address.id; });
+      if (known == remembered_.end())
+        return;
+      id = known->first;
+      remembered_.erase(known);
+    } else
+      try {
         auto whole = *read<PartlySeen>(event.address);
-        const auto id = whole.object_id;
+        id = whole.object_id;
         remembered_[id] = std::move(whole);
-        look(here(id));
+      } catch (const DoesNotExistOnWM& e) {
+        debug("{}", e.what());
+        return;
       }
-    } catch (const DoesNotExistOnWM& e) {
-      debug("{}", e.what());
-    }
+    look(here(id));
   }
 
   /// What is seen of a thing that something stands on is a part of it.

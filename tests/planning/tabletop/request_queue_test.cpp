@@ -20,6 +20,14 @@ RequestedStep step(const std::string& move, const std::string& action) {
   return result;
 }
 
+/// To the left.
+RequestedStep put(const std::string& move, const std::string& thing) {
+  auto result = step(move, "Put");
+  result.what.things = {thing};
+  result.what.places = {{"left", {}}};
+  return result;
+}
+
 Address motive(const std::string& id) {
   return {"motivation", id};
 }
@@ -266,12 +274,6 @@ TEST_F(RequestQueueTest, TriesOnceMoreWhatIsLeftOfSeveral) {
 }
 
 TEST_F(RequestQueueTest, DoesNotPutBackTwiceWhatACorrectionPutsBack) {
-  const auto put = [](const std::string& move, const std::string& thing) {
-    auto result = step(move, "Put");
-    result.what.things = {thing};
-    result.what.places = {{"left", {}}};
-    return result;
-  };
   auto back = step("b", "PutBack");
   back.what.things = {"x"};
   queue.add({put("a", "x")}, {});
@@ -299,12 +301,6 @@ TEST_F(RequestQueueTest, PutsBackOnceWhatIsSaidTwice) {
 }
 
 TEST_F(RequestQueueTest, PutsBackNothingWhereNothingHadToBeMoved) {
-  const auto put = [](const std::string& move, const std::string& thing) {
-    auto result = step(move, "Put");
-    result.what.things = {thing};
-    result.what.places = {{"left", {}}};
-    return result;
-  };
   queue.add({put("a", "x")}, {});
   begin();
   queue.done(true);
