@@ -221,6 +221,17 @@ TEST_F(PlayMateIsAsked, ToPutEverythingBack) {
   EXPECT_LT(std::hypot(place("the green cube").x - 0.20, place("the green cube").y + 0.06), 0.04);
 }
 
+/// Of the cylinder below, the camera sees a rest that looks like a ball.
+TEST_F(PlayMateIsAsked, AboutThingsOfATowerAndToTakeItDown) {
+  say("Stack the two cubes.", "The yellow cylinder is where it was before.", {},
+      {{"on the red cube now.", "Put the cylinder on the green cube."},
+       {"on the green cube now.", "What is at the bottom?"},
+       {"a small red cube", "How many things are there?"},
+       {"five things", "Put the cylinder back."}});
+  EXPECT_LT(
+    std::hypot(place("the yellow cylinder").x + 0.12, place("the yellow cylinder").y - 0.06), 0.04);
+}
+
 TEST_F(PlayMateIsAsked, ForTheOtherOneThanItHasChosen) {
   // Where the red cube is put down is not this test's.
   say("Take a cube.", "The green cube was ", {},
