@@ -235,14 +235,14 @@ std::string unknown_deed(const std::string& text, const std::vector<std::string>
   return has_object ? *word : std::string{};
 }
 
-/// "Hand me the small screwdriver": the noun of what it has no word for and so does not see, if
-/// that is an English word; else empty.
-std::string missing_thing(const std::string& text, const std::string& unknown) {
+/// "Hand me the small screwdriver": whether the unknown word is the noun of a thing, an English
+/// word.
+bool names_missing_thing(const std::string& text, const std::string& unknown) {
   constexpr std::ptrdiff_t most_adjectives = 2;
   const auto words = words_of(text);
   const auto noun = std::ranges::find(words, unknown);
   if (noun == words.end() || !is_english_word(unknown))
-    return {};
+    return false;
   const auto next = std::next(noun);
   const bool ends_phrase =
     next == words.end() ||
@@ -254,17 +254,14 @@ std::string missing_thing(const std::string& text, const std::string& unknown) {
   const bool has_article = std::any_of(begin, noun, [](const auto& x) {
     return is_among(x, {"the", "a", "an", "my", "your", "this", "that", "some", "any"});
   });
-  return ends_phrase && has_article ? unknown : std::string{};
+  return ends_phrase && has_article;
 }
 
 std::string does_not_see(const std::string& noun) {
   const bool is_plural = noun.ends_with('s') && !noun.ends_with("ss");
-  const bool has_vowel = std::string_view{"aeiou"}.find(noun.front()) != std::string_view::npos;
-  return "I do not see " +
-         std::string{is_plural   ? "any "
-                     : has_vowel ? "an "
-                                 : "a "} +
-         noun + ", or do not know " + (is_plural ? "them" : "it") + " by that name.";
+  const std::string article = is_plural ? "any " : begins_with_vowel(noun) ? "an " : "a ";
+  return "I do not see " + article + noun + ", or do not know " + (is_plural ? "them" : "it") +
+         " by that name.";
 }
 
 } // namespace
@@ -280,9 +277,8 @@ std::string problem_of(const PackedLogicalForm& form, const WordMeanings& meanin
   if (const auto deeds = meanings.replies.find("deeds"); deeds != meanings.replies.end())
     if (const auto verb = unknown_deed(form.text, unknown); !verb.empty())
       return "I do not know how to " + verb + ". " + deeds->second;
-  if (unknown.size() == 1)
-    if (const auto noun = missing_thing(form.text, unknown.front()); !noun.empty())
-      return does_not_see(noun);
+  if (unknown.size() == 1 && names_missing_thing(form.text, unknown.front()))
+    return does_not_see(unknown.front());
   const auto& problem = form.unparsable.front();
   if (unknown.empty())
     text += ": " + problem.reason;

@@ -327,9 +327,11 @@ Truth Evaluation::is_related(const std::string& id, const std::string& relation,
     not_understood(relation);
   ScopedValue related{related_, id};
   return quantified(anchor, [&](const std::string& other) {
-    const auto truth = other == id ? Truth::no : scene_.is_related(relation, id, other);
-    const bool may_be_beside = truth == Truth::no && has_wide_sides_ && other != id;
-    return may_be_beside ? truth_of(scene_.is_toward(relation, id, other)) : truth;
+    if (other == id)
+      return Truth::no;
+    const auto truth = scene_.is_related(relation, id, other);
+    return truth == Truth::no && has_wide_sides_ ? truth_of(scene_.is_toward(relation, id, other))
+                                                 : truth;
   });
 }
 

@@ -3,6 +3,7 @@
 #include "castor/communication/dialogue/content.hpp"
 #include "castor/communication/dialogue/dialogue_move.hpp"
 #include "castor/communication/dialogue/realisation_target.hpp"
+#include "castor/communication/parsing/english_words.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
@@ -245,10 +246,6 @@ private:
   std::vector<const PartialSentence*> done_;
   std::set<std::tuple<CategoryId, std::vector<TargetIndex>, std::uint64_t>> seen_;
 };
-
-bool begins_with_vowel(const std::string& word) {
-  return !word.empty() && std::string_view("aeiou").find(word.front()) != std::string_view::npos;
-}
 
 /// Writes words as people do: a capital at the beginning, "an" before vowels, no blank before what
 /// is written together with the word before it.

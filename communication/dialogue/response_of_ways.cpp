@@ -2,6 +2,7 @@
 #include "castor/communication/dialogue/descriptions.hpp"
 #include "castor/communication/dialogue/referring_expression.hpp"
 #include "castor/communication/dialogue/responder.hpp"
+#include "castor/communication/parsing/english_words.hpp"
 #include "castor/communication/parsing/hybrid_logic.hpp"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ std::string phrase_for(SceneKnowledge& scene, const std::string& room) {
   std::ranges::replace(noun, '_', ' ');
   if (is_definite(*thing))
     return "the " + noun;
-  return (std::string{"aeiou"}.find(noun.front()) == std::string::npos ? "a " : "an ") + noun;
+  return (begins_with_vowel(noun) ? "an " : "a ") + noun;
 }
 
 /// From one room to the next that is near, by as few as there are: those between the first and the

@@ -1,6 +1,7 @@
 #include "castor/communication/parsing/english_words.hpp"
 
 #include <fstream>
+#include <string_view>
 #include <unordered_set>
 
 namespace castor::communication {
@@ -23,6 +24,10 @@ std::unordered_set<std::string> english_words() {
 bool is_english_word(const std::string& word) {
   static const auto words = english_words();
   return words.contains(word);
+}
+
+bool begins_with_vowel(const std::string& word) {
+  return !word.empty() && std::string_view{"aeiou"}.find(word.front()) != std::string_view::npos;
 }
 
 } // namespace castor::communication

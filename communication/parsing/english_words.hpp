@@ -9,4 +9,7 @@ namespace castor::communication {
 /// first.
 bool is_english_word(const std::string& word);
 
+/// Whether "an" stands before a word, by its first letter.
+bool begins_with_vowel(const std::string& word);
+
 } // namespace castor::communication
