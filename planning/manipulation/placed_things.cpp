@@ -41,7 +41,7 @@ void PlacedThings::put(const std::string& id, const SeenThing& before, const Pos
 
 double PlacedThings::fall_of(const std::string& id) const {
   const auto found = things_.find(id);
-  return found == things_.end() ? 0 : found->second.fall;
+  return found == things_.end() || found->second.is_seen ? 0 : found->second.fall;
 }
 
 void PlacedThings::correct(std::vector<SeenThing>& things) {
@@ -61,7 +61,8 @@ void PlacedThings::correct(std::vector<SeenThing>& things) {
         things, [&](const SeenThing& x) { return is_it(x) && !things_.contains(x.id); });
     if (seen == things.end() || !is_it(*seen))
       continue;
-    if (is_on_another || !are_as_large(seen->thing.solid, thing.thing.solid)) {
+    placed.is_seen = !is_on_another && are_as_large(seen->thing.solid, thing.thing.solid);
+    if (!placed.is_seen) {
       seen->thing.solid = thing.thing.solid;
       seen->thing.pose = thing.thing.pose;
     }

@@ -20,7 +20,8 @@ public:
   /// @param fall how far above it was let go, metres
   void put(const std::string& id, const SeenThing& before, const Pose& pose, double fall = 0);
 
-  /// How much lower a thing stands than where it was let go, metres; 0 for what was not put down.
+  /// How much lower a thing stands than its corrected pose says, metres; 0 for what was not put down,
+  /// or is seen where it stands.
   double fall_of(const std::string& id) const;
 
   /// It is taken away.
@@ -34,6 +35,8 @@ private:
   struct Placed {
     SeenThing thing;
     double fall = 0;
+    /// As large as it is: its pose is the one that is seen.
+    bool is_seen = false;
   };
 
   /// By the ids of what is seen there.

@@ -232,6 +232,12 @@ TEST_F(PlayMateIsAsked, AboutThingsOfATowerAndToTakeItDown) {
     std::hypot(place("the yellow cylinder").x + 0.12, place("the yellow cylinder").y - 0.06), 0.04);
 }
 
+TEST_F(PlayMateIsAsked, ToPutAThingOnOneThatItHasPutDown) {
+  say("Put the red cube next to the yellow cylinder.", "The green cube is on the red cube now.", {},
+      {{"next to the yellow cylinder now.", "Put the green cube on the red cube."}});
+  EXPECT_EQ(heard().truth.collisions, 0) << heard().truth.collision;
+}
+
 TEST_F(PlayMateIsAsked, ForTheOtherOneThanItHasChosen) {
   // Where the red cube is put down is not this test's.
   say("Take a cube.", "The green cube was ", {},

@@ -24,14 +24,15 @@ const auto cube = box(0.05, 0.05, 0.05);
 
 TEST(PlacedThings, AreAsLargeAsBeforeInTheShadowToo) {
   PlacedThings placed;
-  const Pose there{{0.23, -0.05, 0.025}, {}, arm_frame};
-  placed.put("new", seen("old", "cube", cube, 0.4, 0.1), there);
+  const Pose there{{0.23, -0.05, 0.029}, {}, arm_frame};
+  placed.put("new", seen("old", "cube", cube, 0.4, 0.1), there, 0.004);
   std::vector<SeenThing> things{seen("new", "cube", box(0.05, 0.05, 0.03), 0.24, -0.04),
                                 seen("other", "cube", box(0.04, 0.04, 0.03), 0.24, 0.1)};
   placed.correct(things);
   EXPECT_EQ(things[0].thing.solid.size.z, 0.05);
   EXPECT_EQ(things[0].thing.pose.position.x, 0.23);
   EXPECT_EQ(things[0].id, "new");
+  EXPECT_EQ(placed.fall_of("new"), 0.004);
   EXPECT_EQ(things[1].thing.solid.size.z, 0.03);
 }
 
@@ -47,12 +48,13 @@ TEST(PlacedThings, ABallThatLooksLikeADiscIsABall) {
 
 TEST(PlacedThings, AreWhereTheyAreSeenIfTheyAreSeenAsLarge) {
   PlacedThings placed;
-  const Pose there{{0.2, 0, 0.025}, {}, arm_frame};
-  placed.put("1", seen("1", "cube", cube, 0.4, 0.1), there);
+  const Pose there{{0.2, 0, 0.029}, {}, arm_frame};
+  placed.put("1", seen("1", "cube", cube, 0.4, 0.1), there, 0.004);
   std::vector<SeenThing> things{seen("1", "cube", box(0.051, 0.051, 0.051), 0.21, 0.01)};
   placed.correct(things);
   EXPECT_EQ(things[0].thing.solid.size.z, 0.051);
   EXPECT_EQ(things[0].thing.pose.position.x, 0.21);
+  EXPECT_EQ(placed.fall_of("1"), 0);
 }
 
 /// It looks larger, and farther away, than it is.
