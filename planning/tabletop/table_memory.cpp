@@ -123,10 +123,14 @@ void TableMemory::leave(Thing& x) {
     x.waypoint_before_goal = x.waypoint;
   if (x.waypoint_at_first.empty())
     x.waypoint_at_first = x.waypoint;
-  x.waypoint_before = x.waypoint;
   x.has_returned = false;
+  const bool is_carried = x.name == carried_;
+  const bool is_on_its_way = is_carried && has_carried_left_;
+  if (!is_on_its_way)
+    x.waypoint_before = x.waypoint;
+  has_carried_left_ = has_carried_left_ || is_carried;
   // What was taken is put down by the same move.
-  if (!x.is_held) {
+  if (!x.is_held && !is_on_its_way) {
     ++history_.moves;
     history_.remembered.push_back({x.name, words(x), because_});
     if (history_.remembered.size() > most_remembered_moves)
@@ -233,6 +237,8 @@ void TableMemory::see(const std::vector<ThingOnTable>& things, bool is_complete)
   for (auto& x : things_)
     if (x.on.empty() && !x.is_held &&
         distance(waypoints_.at(x.waypoint), x.seen.place) > moved_distance) {
+      if (x.name == carried_)
+        leave(x);
       x.waypoint = new_waypoint(x.seen.place);
       x.has_returned = false;
     }
@@ -286,6 +292,7 @@ AchieveGoal TableMemory::begin(const TableGoal& goal, const std::string& because
   put_there_.clear();
   in_way_.clear();
   is_unmoved_ = true;
+  carried_.clear();
   push_distance_ = goal.push_distance;
   is_return_ = goal.is_return;
   pushed_to_.clear();
@@ -459,6 +466,12 @@ const GroundPoint* TableMemory::wanted_place(std::string_view name) const {
   return place(std::string{waypoint_wanted(goal_, name)});
 }
 
+void TableMemory::carries(const std::string& name) {
+  if (carried_ != name)
+    has_carried_left_ = false;
+  carried_ = name;
+}
+
 void TableMemory::moved(const std::string& name, const std::string& waypoint, const std::string& id,
                         GroundPoint place) {
   auto* x = find(name);
@@ -467,6 +480,7 @@ void TableMemory::moved(const std::string& name, const std::string& waypoint, co
   const auto wanted = chosen(waypoint);
   chosen_.erase(waypoint);
   leave(*x);
+  carried_.clear();
   in_way_.moved(name);
   x->waypoint = waypoint;
   x->has_returned = is_return_;

@@ -131,6 +131,9 @@ public:
   /// Whether the goal has things pushed there, and not carried.
   bool is_pushed_to(const std::string& waypoint) const { return pushed_to_.contains(waypoint); }
 
+  /// From now on the arm carries it, with stops maybe: where it is seen meanwhile, it was put. That
+  /// is one move.
+  void carries(const std::string& name);
   /// It is at a waypoint now. @param id of the SceneObject that it is seen as; empty if it is not
   /// seen there, because it stands on another thing
   void moved(const std::string& name, const std::string& waypoint, const std::string& id,
@@ -179,6 +182,10 @@ private:
   std::set<std::string> pushed_to_;
   /// Nothing has been moved for the goal yet.
   bool is_unmoved_ = true;
+  /// The thing that the arm carries, or has left at a stop; empty if there is none.
+  std::string carried_;
+  /// That is counted as a move already.
+  bool has_carried_left_ = false;
   TableHistory history_;
   /// What the goal that has begun is done for.
   std::string because_;

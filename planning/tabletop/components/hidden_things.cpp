@@ -52,7 +52,8 @@ class HiddenThings final : public binding::BindingMonitor {
       if (!parts.contains(id))
         delete_entry(here(id));
     for (const auto& [id, x] : parts)
-      if (const auto known = partly_seen_.find(id); known == partly_seen_.end() || known->second != x)
+      if (const auto known = partly_seen_.find(id);
+          known == partly_seen_.end() || known->second != x)
         put(here(id), x);
     partly_seen_ = std::move(parts);
   }
@@ -67,7 +68,7 @@ class HiddenThings final : public binding::BindingMonitor {
         continue;
       vision::PartlySeen whole{x.id, {}, {}, {}, x.lengths};
       for (const auto& quality : x.qualities)
-        (quality.kind == "colour" ? whole.colour
+        (quality.kind == "colour"  ? whole.colour
          : quality.kind == "shape" ? whole.shape
                                    : whole.size) = quality.value;
       result.emplace(vision::partly_seen(x.id), std::move(whole));

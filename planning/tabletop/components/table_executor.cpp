@@ -201,6 +201,7 @@ class TableExecutor final : public FindsPlaces {
       if (is_moved && way.may_put_between)
         continue;
       way.what = what;
+      memory_.carries(name);
       result = done(action, way);
       // Where the arm has tried it, another place is no better.
       if (result.outcome == ActionOutcome::failed && !has_tried())

@@ -430,6 +430,32 @@ TEST_F(TableMemoryTest, RemembersItsMovesInTheirOrder) {
   EXPECT_EQ(successor.history().remembered[1].object, "p2");
 }
 
+/// The arm puts it down on its way, to grasp it anew.
+TEST_F(TableMemoryTest, WhatIsCarriedWithStopsIsMovedOnce) {
+  const auto name = new_place();
+  const auto first = memory.things({}).front().waypoint;
+  memory.carries("p1");
+  memory.see({seen_as(ball, "o1", {0.1, -0.2}), box});
+  memory.see({seen_as(ball, "o1", {-0.1, -0.2}), box});
+  memory.carries("p1");
+  memory.moved("p1", name, "o1", {0.0, 0.2});
+  const auto& moved = memory.things({}).front();
+  EXPECT_EQ(moved.waypoint, name);
+  EXPECT_EQ(moved.waypoint_before_goal, first);
+  EXPECT_EQ(moved.waypoint_before, first);
+  EXPECT_EQ(memory.history().moves, 1U);
+  // Also if it stays at a stop.
+  new_place();
+  memory.carries("p2");
+  memory.see({seen_as(ball, "o1", {0.0, 0.2}), seen_as(box, "o2", {-0.2, -0.2})});
+  EXPECT_TRUE(memory.things({}).back().was_moved());
+  EXPECT_EQ(memory.history().moves, 2U);
+  // Others may move it as well.
+  new_place();
+  memory.see({seen_as(ball, "o1", {0.2, 0.2}), seen_as(box, "o2", {-0.2, 0.0})});
+  EXPECT_EQ(memory.history().moves, 2U);
+}
+
 TEST_F(TableMemoryTest, ForgetsItsFirstMovesButNotHowManyThereWere) {
   for (int i = 0; i < 100; ++i)
     memory.moved("p1", "place-" + std::to_string(50 + i), "o1", {0.2, 0.1});
