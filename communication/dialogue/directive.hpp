@@ -20,6 +20,9 @@ bool is_handling(const LogicalForm& request, const WordMeanings& meanings);
 /// Whether it is only asked whether something can be done: "can you reach the ball?"
 bool asks_for_ability(const LogicalForm& form);
 
+/// What is asked whether it is possible, as a request to do it.
+LogicalForm as_request(LogicalForm form);
+
 /// Whether an action is not to be done, or forbids one: "do not take it", "leave it alone".
 bool forbids(const Nominal& action);
 

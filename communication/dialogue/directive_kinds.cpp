@@ -38,6 +38,16 @@ bool asks_for_ability(const LogicalForm& form) {
          dependent(form, *root, "Wh-Restr") == nullptr;
 }
 
+LogicalForm as_request(LogicalForm form) {
+  for (auto& x : form.nominals) {
+    std::erase_if(x.features, [](const auto& y) { return y.name == "Modality"; });
+    for (auto& y : x.features)
+      if (y.name == "Mood" && y.value == "int")
+        y.value = "imp";
+  }
+  return form;
+}
+
 bool forbids(const Nominal& action) {
   return is_negated(action) || action.proposition == "forbid";
 }

@@ -143,6 +143,8 @@ MeantThings DirectiveThings::things(const Nominal& phrase) {
 
 MeantThings DirectiveThings::things_of(const Nominal& phrase) {
   auto result = things_named(phrase);
+  if (result.number == 0 && is_about_others(form_, phrase))
+    result.things = without_carriers(scene_, std::move(result.things));
   mentioned_.insert(mentioned_.end(), result.things.begin(), result.things.end());
   return result;
 }

@@ -52,14 +52,30 @@ std::string proposal_of(const std::vector<std::string>& deeds) {
   return result + '?';
 }
 
+namespace {
+
+bool is_go_on(const LogicalForm& said) {
+  const auto* root = find_nominal(said, said.root);
+  return root != nullptr && root->sort == "action" && root->proposition == "go-on";
+}
+
+} // namespace
+
 bool is_agreement(const DialogueMove& move) {
   // "Right" is a side, too.
   const auto agrees = [](const LogicalForm& said) {
-    const auto* root = find_nominal(said, said.root);
-    return dialogue_move_type(said) == DialogueMoveType::accept ||
-           (root != nullptr && root->sort == "action" && root->proposition == "go-on");
+    return dialogue_move_type(said) == DialogueMoveType::accept || is_go_on(said);
   };
   return agrees(move.content) || std::ranges::any_of(move.alternatives, agrees);
+}
+
+bool says_to_go_ahead(const DialogueMove& move) {
+  const auto says_so = [](const LogicalForm& said) {
+    const auto* root = find_nominal(said, said.root);
+    const bool is_yes = root != nullptr && root->sort == "marker" && root->proposition == "yes";
+    return is_yes || is_go_on(said);
+  };
+  return says_so(move.content) || std::ranges::any_of(move.alternatives, says_so);
 }
 
 bool is_refusal(const DialogueMove& move) {

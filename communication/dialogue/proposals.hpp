@@ -23,6 +23,9 @@ std::string proposal_of(const std::vector<std::string>& deeds);
 /// Whether somebody agrees to what is proposed: "yes", "go ahead".
 bool is_agreement(const DialogueMove& move);
 
+/// Whether somebody says that what is possible is to be done: "yes", "do it", but not "ok".
+bool says_to_go_ahead(const DialogueMove& move);
+
 /// Whether somebody declines it: "no, thanks".
 bool is_refusal(const DialogueMove& move);
 

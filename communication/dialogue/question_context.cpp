@@ -343,15 +343,17 @@ std::optional<CompleteMove> QuestionContext::clarified(const DialogueMove& move,
 }
 
 void QuestionContext::rename(const RenamedThings& renamed) {
-  for (auto* move : {&question_, &clause_, &unclear_, &topic_, &proposed_})
+  for (auto* move : {&question_, &clause_, &unclear_, &topic_, &proposed_, &possible_})
     if (*move)
       communication::rename((*move)->antecedents, renamed);
 }
 
 CompleteMove QuestionContext::complete(const DialogueMove& said,
                                        const Antecedents& antecedents) const {
-  if (proposed_ && said.problem.empty() && is_agreement(said)) {
-    auto agreed = *proposed_;
+  const bool agrees_to_proposal = proposed_ && is_agreement(said);
+  const bool asks_for_possible = possible_ && says_to_go_ahead(said);
+  if (said.problem.empty() && (agrees_to_proposal || asks_for_possible)) {
+    auto agreed = agrees_to_proposal ? *proposed_ : *possible_;
     agreed.move.turn = said.turn;
     agreed.move.partial.reset();
     return agreed;
@@ -475,6 +477,15 @@ void QuestionContext::note(const CompleteMove& complete, const Response& respons
   proposed_.reset();
   if (response.proposes)
     proposed_ = move;
+  const bool is_ability = asks_for_ability(move.move.content);
+  if (is_ability || is_question(move.move) || asks_to_act(move.move))
+    possible_.reset();
+  if (is_ability && !response.proposes) {
+    possible_ = move;
+    possible_->move.content = as_request(std::move(possible_->move.content));
+    possible_->move.type = DialogueMoveType::action_directive;
+    possible_->move.alternatives.clear();
+  }
   if (!response.asked_about.empty()) {
     unclear_ = move;
     asked_about_ = response.asked_about;

@@ -53,6 +53,8 @@ private:
   std::optional<CompleteMove> topic_;
   /// A request that the robot has asked whether to do.
   std::optional<CompleteMove> proposed_;
+  /// A request that somebody has only asked whether it is possible.
+  std::optional<CompleteMove> possible_;
   /// Noun of the last thing that was spoken of, for which "one" stands.
   std::string noun_;
   /// Nominal of the unclear move that the other was asked about.

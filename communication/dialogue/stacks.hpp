@@ -14,4 +14,8 @@ bool is_tower(const Nominal& phrase);
 /// none, or if there are several.
 std::vector<std::string> only_stack(SceneKnowledge& scene);
 
+/// Without the things that something stands on which is not among them: "the others" of a thing on
+/// a stack are not what carries it. All of them if none is left.
+std::vector<std::string> without_carriers(SceneKnowledge& scene, std::vector<std::string> things);
+
 } // namespace castor::communication

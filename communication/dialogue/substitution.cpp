@@ -186,7 +186,10 @@ private:
   /// "The red one" is a thing of the kind that was spoken of.
   void inherit(const Nominal& from) {
     auto* fragment = find_nominal(form_, fragment_.name);
-    if (fragment->proposition == "one" && !is_pronoun(from)) {
+    // "One of the balls" says of which kind it is.
+    const auto* whole = dependent(form_, *fragment, "PartOf");
+    const bool has_kind = whole != nullptr && whole->proposition != "one" && !is_pronoun(*whole);
+    if (fragment->proposition == "one" && !is_pronoun(from) && !has_kind) {
       fragment->proposition = from.proposition;
       // "Take the ball. I meant the green one.": where no ball is green, the green thing.
       if (find_nominal(form_, form_.root)->sort == "action")

@@ -280,6 +280,11 @@ TEST(Directives, WhatStandsOnEachOtherIsATower) {
   EXPECT_EQ(talk_of({"What is under the green box?"}, true), "There is a large red cube.");
   EXPECT_EQ(talk_of({"Take the thing under the green box."}, true), "take c");
   EXPECT_EQ(talk_of({"Take the tower apart."}, false), "I do not see a tower.");
+  // What carries the box is not one of the others: it cannot be moved without it.
+  const std::vector<std::string> others{"Put the green box on the red box.",
+                                        "Move all the others to the left edge."};
+  EXPECT_EQ(talk_of(others, true), "put a,b,e,f left-edge");
+  EXPECT_EQ(talk_of(others, false), "put a,b,c,e,f left-edge");
 }
 
 TEST(Directives, MeasuredPlacesAndQuestionsAreUnderstood) {

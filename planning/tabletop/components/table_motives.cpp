@@ -183,7 +183,10 @@ class TableMotives final : public HearsRequests {
       return;
     }
     remember();
-    command(move, manipulation::ResumeArm{}, "I go on.");
+    const bool has_something_to_do = queue_.is_busy() || !queue_.steps().waiting.empty();
+    command(move, manipulation::ResumeArm{},
+            has_something_to_do || !is_alone ? "I go on."
+                                             : "I do not wait any more, and have nothing to do.");
   }
 
   /// The arm ends what it does for it.
