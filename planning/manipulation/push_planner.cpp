@@ -25,6 +25,8 @@ constexpr double most_height = 0.02;
 constexpr double beside = 0.03;
 // How much further it is pushed, metres.
 constexpr double beyond = 0.01;
+// The fingers rise above a thing that was pushed, so that they may open there; metres.
+constexpr double clear_above = 0.01;
 // On all sides of a thing that is pushed, metres.
 constexpr double room = 0.012;
 // Between configurations of a push, metres.
@@ -134,6 +136,8 @@ ManipulationResult ManipulationPlanner::push(const Scene& scene, const std::stri
     // Low, so that the thing does not tip.
     push.height =
       middle.z - half + std::clamp(half, least_height, most_height) + arm_.gripper->beyond;
+    const double tips = push.height - arm_.gripper->beyond;
+    const double lift = std::max(options_.lift, middle.z + half + clear_above - tips);
     const auto there = moved(pushed, push.along, way);
     const bool may_be_there = !goal.may_end_at || goal.may_end_at(there.pose.position);
     if (!may_be_there || !has_room(others, pushed, push.along, way))
@@ -157,8 +161,9 @@ ManipulationResult ManipulationPlanner::push(const Scene& scene, const std::stri
         auto on = along(pushing, solution, poses);
         if (!down || !on)
           continue;
-        for (std::size_t k = 0; k < up.size(); ++k)
-          up[k] = tool_on(push, middle, push.end, spacing * static_cast<double>(k + 1));
+        up.clear();
+        for (double height = spacing; height < lift + spacing; height += spacing)
+          up.push_back(tool_on(push, middle, push.end, std::min(height, lift)));
         const auto away = along(pushing, on->back(), up);
         if (!away || tried == most_tried)
           continue;
