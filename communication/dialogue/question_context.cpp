@@ -196,6 +196,27 @@ void QuestionContext::keep_landmark(CompleteMove& move) const {
 }
 
 /// "The red one" is a red thing of the kind that was spoken of, in the same sentence or before.
+namespace {
+
+/// A place that may be a marker as well is one.
+void take_as_marker(DialogueMove& move) {
+  const auto has_root = [](const LogicalForm& form, std::string_view sort) {
+    const auto* root = find_nominal(form, form.root);
+    return root != nullptr && root->sort == sort;
+  };
+  const auto marker = std::ranges::find_if(
+    move.alternatives, [&](const LogicalForm& x) { return has_root(x, "marker"); });
+  if (!has_root(move.content, "place") || marker == move.alternatives.end() ||
+      is_correction(move.content))
+    return;
+  auto content = *marker;
+  move.content = std::move(content);
+  move.type = dialogue_move_type(move.content);
+  move.alternatives.clear();
+}
+
+} // namespace
+
 void QuestionContext::replace_one(LogicalForm& form) const {
   const auto* root = find_nominal(form, form.root);
   if (root == nullptr || root->sort == "thing")
@@ -376,6 +397,9 @@ CompleteMove QuestionContext::complete(const DialogueMove& said,
   const bool is_question = take_said_as_question(move.content);
   for (auto& alternative : move.alternatives)
     take_said_as_question(alternative);
+  // "Right. Take the cube.": a side only if that was asked for, or a thing was named before.
+  if (!is_question && !unclear_ && !topic_ && !proposed_)
+    take_as_marker(move);
   CompleteMove result{move, antecedents};
   replace_one(result.move.content);
   for (auto& alternative : result.move.alternatives)

@@ -56,6 +56,7 @@ private:
   bool is_number(const Nominal& asked) const;
   Response some_of(const Fitting& found, const Nominal& asked) const;
   Response list(const Things& things) const;
+  bool asks_what_is_held() const;
   Response where(const Nominal& phrase);
   Response way_to(const Nominal& phrase);
   bool is_on_another(const std::string& id);

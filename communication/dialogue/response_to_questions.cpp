@@ -227,12 +227,22 @@ std::optional<LogicalForm> Responder::share_of(const Count& number, const Nomina
   return ascribe(part, part_of(form_, scope->name));
 }
 
+/// "What are you holding?"
+bool Responder::asks_what_is_held() const {
+  const auto* place = dependent(form_, root(), "Cop-Scope");
+  const auto* holder = place == nullptr ? nullptr : dependent(form_, *place, "Anchor");
+  return holder != nullptr && place->proposition == "in" && holder->proposition == "gripper" &&
+         feature(*holder, "Whose") == "yours";
+}
+
 Response Responder::list(const Things& things) const {
   if (things.empty())
     return answer(exists(none_of(indefinite(vocabulary().general_concept()))));
   std::vector<LogicalForm> descriptions;
   for (auto& id : things)
     descriptions.push_back(indefinite_description(scene_, id));
+  if (descriptions.size() == 1 && asks_what_is_held())
+    return answer(ascribe(pronoun("it"), descriptions.front()));
   return answer(exists(listed(std::move(descriptions))),
                 exists(counted(things.size(), indefinite(vocabulary().general_concept()))));
 }

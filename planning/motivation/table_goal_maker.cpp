@@ -13,10 +13,13 @@ TableGoal refusal(std::string words) {
   return {TableWish::refusal, {}, {}, 0, std::move(words)};
 }
 
-std::string listed(const std::vector<const TableThing*>& things) {
+std::string listed(const std::vector<const TableThing*>& things, std::string_view last) {
   std::string result;
-  for (std::size_t i = 0; i < things.size(); ++i)
-    result += (i == 0 ? "" : i + 1 == things.size() ? " and " : ", ") + things[i]->words;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (i > 0)
+      result += i + 1 == things.size() ? ' ' + std::string{last} + ' ' : ", ";
+    result += things[i]->words;
+  }
   return result;
 }
 
@@ -208,7 +211,7 @@ std::string TableGoalMaker::done_before_taking() const {
     const auto below = std::ranges::find(things_, x.on, [](const auto* y) { return y->object; });
     if (x.is_held && !is_taken)
       result += "put down " + x.words + " and ";
-    else if (!x.is_held && !x.on.empty() && below != things_.end())
+    else if (!is_taken && !x.is_held && !x.on.empty() && below != things_.end())
       result += "take " + x.words + " off " + (*below)->words + " and ";
   }
   return result;
@@ -224,7 +227,8 @@ TableGoal TableGoalMaker::give() {
   // Who speaks sits in front.
   for (const auto* x : things_)
     facts_.push_back(in_part(*x, "at-hand"));
-  return goal("give you " + listed(things_), "here you are: " + listed(things_));
+  return goal(done_before_taking() + "give you " + listed(things_),
+              "here you are: " + listed(things_));
 }
 
 void TableGoalMaker::hold_held() {
@@ -242,7 +246,7 @@ TableGoal TableGoalMaker::put_down() {
   std::erase_if(things_, [](const auto* x) { return !x->is_held; });
   // Whatever is asked for besides may still be done.
   if (things_.empty())
-    return {TableWish::answer, {}, {}, 0, "I do not hold " + listed(asked) + '.'};
+    return {TableWish::answer, {}, {}, 0, "I do not hold " + listed(asked, "or") + '.'};
   for (const auto* x : things_)
     facts_.push_back(in_part(*x, "table"));
   return goal("put down " + listed(things_), "I have put down " + listed(things_));
@@ -271,6 +275,9 @@ TableGoal TableGoalMaker::swap() {
 TableGoal TableGoalMaker::clear() {
   const auto& part = step_.places.front().relation;
   const auto other = words_for(opposites, part);
+  // "I need a bit of room here."
+  if (other.empty() && part == "at-hand")
+    return refusal("Tell me which side I am to clear: the left, the right, the front or the back.");
   if (other.empty())
     return refusal("I have nowhere else to put the things. I can sort them by colour or shape, put "
                    "them in a row, or clear one side.");

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace castor::planning {
@@ -93,6 +94,7 @@ private:
   const TableThing* thing_in_middle() const;
   std::optional<std::string> put_at_landmarks(const DirectivePlace& place, std::string& where);
   std::optional<std::string> put_on(const Things& landmarks) const;
+  std::string on_another(const TableThing& below) const;
   std::optional<std::string> beyond_reach(const TableThing& x, const TableThing& other) const;
   Things without_upper_ones(Things landmarks) const;
   static Things without_lower_ones(const Things& landmarks);
@@ -141,8 +143,8 @@ TableGoal refusal(std::string words);
 /// The thing that requests refer to by a proxy; null if there is none.
 const TableThing* find_thing(std::span<const TableThing> table, const std::string& proxy);
 
-/// "The ball, the box and the disc".
-std::string listed(const std::vector<const TableThing*>& things);
+/// "The ball, the box and the disc". @param last joins the last one to those before
+std::string listed(const std::vector<const TableThing*>& things, std::string_view last = "and");
 std::string are(const std::vector<const TableThing*>& things);
 
 /// The fact that it is there.

@@ -40,8 +40,8 @@ std::string TableGoalMaker::waypoint_to_return_to(const TableThing& x) {
 
 /// "Put it back `words`", and then it is `result`.
 TableGoal TableGoalMaker::return_goal(const std::string& words, const std::string& result) {
-  auto it =
-    goal("put " + listed(things_) + " back" + words, listed(things_) + are(things_) + ' ' + result);
+  auto it = goal(done_before_taking() + "put " + listed(things_) + " back" + words,
+                 listed(things_) + are(things_) + ' ' + result);
   it.is_return = true;
   return it;
 }

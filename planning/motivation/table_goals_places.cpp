@@ -120,7 +120,7 @@ TableGoal TableGoalMaker::put() {
     if (problem)
       return refusal(*problem);
   }
-  return goal(verb + where + but_what_is_kept(),
+  return goal(done_before_taking() + verb + where + but_what_is_kept(),
               listed(things_) + are(things_) + where + " now" + but_what_is_kept());
 }
 
@@ -206,7 +206,7 @@ TableGoal TableGoalMaker::put_where_another_is(const DirectivePlace& place,
     return refusal(std::move(*problem));
   facts_.push_back(at_waypoint(x, waypoint));
   ++places_;
-  return goal(verb + " where " + other->words + (was ? " was" : " is"),
+  return goal(done_before_taking() + verb + " where " + other->words + (was ? " was" : " is"),
               x.words + " is where " + other->words + " was");
 }
 
@@ -221,7 +221,9 @@ std::optional<std::string> TableGoalMaker::put_further(const Shifted& way, std::
     if (!room_.can_be_put(*x, {spot.x, spot.y}))
       return "I do not reach there with " + x->words + ".";
     for (const auto& other : table_)
-      if (!other.is_held && std::ranges::find(things_, &other) == things_.end() &&
+      // What stands on it is taken off before.
+      if (!other.is_held && other.on != x->object &&
+          std::ranges::find(things_, &other) == things_.end() &&
           std::hypot(other.x - spot.x, other.y - spot.y) < other.radius + x->radius)
         return sentence(other.words + " is in the way there") + " Take it away first.";
     facts_.push_back(at_waypoint(*x, spot.name));
@@ -407,6 +409,18 @@ std::optional<TableSpot> TableGoalMaker::spot_nearly_at(const TableThing& x,
   return found ? std::optional{spot_for(x, {found->x, found->y})} : std::nullopt;
 }
 
+/// ", or on the cube", where one is free.
+std::string TableGoalMaker::on_another(const TableThing& below) const {
+  for (const auto& x : table_) {
+    const bool is_asked = std::ranges::find(things_, &x) != things_.end();
+    const bool is_loaded = std::ranges::find(table_, x.object, &TableThing::on) != table_.end();
+    if (&x != &below && !is_asked && !is_loaded && !is_round(x) && !x.is_held && !x.is_kept &&
+        !x.is_kept_clear)
+      return ", or on " + x.words;
+  }
+  return {};
+}
+
 std::optional<std::string> TableGoalMaker::put_on(const Things& landmarks) const {
   if (landmarks.size() > 1)
     return "It can stand on one thing only.";
@@ -414,7 +428,8 @@ std::optional<std::string> TableGoalMaker::put_on(const Things& landmarks) const
     return "There is room for one thing only.";
   const auto& below = *landmarks.front();
   if (is_round(below))
-    return sentence(below.words + " is round: nothing stays on it");
+    return sentence(below.words + " is round: nothing stays on it. I can put " + listed(things_) +
+                    " next to it" + on_another(below));
   if (below.is_kept_clear || below.is_kept)
     return "I am to put nothing on " + below.words + ". Tell me that I may touch it again.";
   return std::nullopt;

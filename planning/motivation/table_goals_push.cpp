@@ -80,7 +80,7 @@ TableGoal TableGoalMaker::push() {
     (place.distance > 0 ? ' ' + fine_centimetres(place.distance)
                         : std::string{is_little(place.relation) ? " a little" : ""}) +
     ' ' + std::string{way->words};
-  return goal("push " + listed(things_) + words + but_what_is_kept(),
+  return goal(done_before_taking() + "push " + listed(things_) + words + but_what_is_kept(),
               "I have pushed " + listed(things_) + words + but_what_is_kept());
 }
 
@@ -91,7 +91,7 @@ TableGoal TableGoalMaker::push_anywhere(double distance) {
   push_distance_ = distance - beyond;
   for (const auto* x : things_)
     facts_.push_back("(pushed " + x->object + ')');
-  return goal("push " + listed(things_), "I have pushed " + listed(things_));
+  return goal(done_before_taking() + "push " + listed(things_), "I have pushed " + listed(things_));
 }
 
 /// Straight, and where nobody has said how far, no farther than there is room.

@@ -112,7 +112,8 @@ private:
   HistoryAnswer what_was_done() const {
     std::string said;
     for (const auto* x : things_) {
-      const auto last = std::ranges::find(remembered_.rbegin(), remembered_.rend(), x->object, &TableMove::object);
+      const auto last =
+        std::ranges::find(remembered_.rbegin(), remembered_.rend(), x->object, &TableMove::object);
       said += said.empty() ? "" : " ";
       said += last == remembered_.rend() ? "I have not moved " + x->words + '.'
               : last->because.empty()    ? "I moved " + x->words + '.'
@@ -125,7 +126,8 @@ private:
   HistoryAnswer started_with() const {
     const auto last = moved_for_the_last();
     const auto& first = (last.size() > 1 ? last : std::span{remembered_}).front();
-    const bool is_it = std::ranges::find(things_, first.object, &TableThing::object) != things_.end();
+    const bool is_it =
+      std::ranges::find(things_, first.object, &TableThing::object) != things_.end();
     return {is_it ? "Yes." : "No, I moved " + first.words + " first.", proxies({&first, 1})};
   }
 
@@ -172,9 +174,9 @@ private:
 } // namespace
 
 bool asks_about_history(std::string_view action) {
-  constexpr std::array<std::string_view, 9> questions{"WhichMoved",   "NotMoved",     "LastMoved",
-                                                      "FirstMoved",   "HowManyMoves", "MovesInOrder",
-                                                      "MovedForThat", "StartedWith",  "DoneWith"};
+  constexpr std::array<std::string_view, 9> questions{
+    "WhichMoved",   "NotMoved",     "LastMoved",   "FirstMoved", "HowManyMoves",
+    "MovesInOrder", "MovedForThat", "StartedWith", "DoneWith"};
   return std::ranges::find(questions, action) != questions.end();
 }
 

@@ -80,7 +80,8 @@ TEST(TableGoals, ACornerThatIsNotReachedIsAQuarterOfTheTable) {
   const auto goal = goal_of(back, table, in_front);
   EXPECT_EQ(goal.formula, "(and (in-part b back-right))");
   EXPECT_EQ(goal.words, "put the blue ball as near to the back right corner as I reach with it");
-  EXPECT_EQ(goal.result, "The blue ball is as near to the back right corner as I reach with it now.");
+  EXPECT_EQ(goal.result,
+            "The blue ball is as near to the back right corner as I reach with it now.");
   EXPECT_EQ(goal_of(back, table).formula, "(and (in-part b back-right-corner))");
   const DirectiveStep front{"Put", {"p/b"}, 0, {{"front-right-corner", {}}}, {}};
   EXPECT_EQ(goal_of(front, table, in_front).formula, "(and (in-part b front-right-corner))");
@@ -108,7 +109,8 @@ TableLanding landing_up_to(double farthest) {
 TEST(TableGoals, WhatTheArmCannotPutInTheMiddleOfAnEdgeIsPutAsNearAsItCan) {
   const DirectiveStep back{"Put", {"p/b"}, 0, {{"back-edge", {}}, {"centre", {}}}, {}};
   const auto goal = goal_of(back, table, reach_in_box, {}, landing_up_to(0.13));
-  EXPECT_EQ(goal.words, "put the blue ball as near to the middle of the back edge as I reach with it");
+  EXPECT_EQ(goal.words,
+            "put the blue ball as near to the middle of the back edge as I reach with it");
   EXPECT_EQ(goal.formula, "(and (= (pos b) spot-of-b))");
   ASSERT_EQ(goal.spots.size(), 1U);
   EXPECT_LT(goal.spots.front().y, 0.13);
@@ -337,6 +339,16 @@ TEST(TableGoals, WhatIsDoneBeforeTakingIsSaid) {
   things[0].on = "c";
   EXPECT_EQ(goal_of({"Take", {"p/c"}, 0, {}, {}}, things).words,
             "take the red ball off the red box and take the red box");
+  EXPECT_EQ(goal_of({"Push", {"p/c"}, 0, {}, {}}, things).words,
+            "take the red ball off the red box and push the red box");
+  EXPECT_EQ(goal_of({"Put", {"p/c"}, 0, {{"left", {}}}, {}}, things).words,
+            "take the red ball off the red box and put the red box on the left");
+  things[0].x = things[2].x;
+  things[0].y = things[2].y;
+  EXPECT_EQ(goal_of({"Put", {"p/c"}, 0, {{"further-right", {}}}, {}}, things).words,
+            "take the red ball off the red box and put the red box further right");
+  EXPECT_EQ(goal_of({"Put", {"p/c", "p/a"}, 0, {{"left", {}}}, {}}, things).words,
+            "put the red box and the red ball on the left");
 }
 
 TEST(TableGoals, OnBothOfAStackIsOnTheUpperOne) {
@@ -379,7 +391,10 @@ TEST(TableGoals, WhatCannotBeIsSaidWithTheReason) {
   EXPECT_EQ(refused({"Put", {"p/a", "p/b"}, 0, {{"on", {"p/c"}}}, {}}),
             "There is room for one thing only.");
   EXPECT_EQ(refused({"Put", {"p/c"}, 0, {{"on", {"p/b"}}}, {}}),
-            "The blue ball is round: nothing stays on it.");
+            "The blue ball is round: nothing stays on it. I can put the red box next to it.");
+  EXPECT_EQ(refused({"Put", {"p/a"}, 0, {{"on", {"p/b"}}}, {}}),
+            "The blue ball is round: nothing stays on it. I can put the red ball next to it, or on "
+            "the red box.");
   EXPECT_EQ(refused({"Put", {"p/c"}, 0, {{"there", {}}}, {}}),
             "I do not know where that is: tell me a part of the table, or a thing that is there.");
   EXPECT_EQ(refused({"Put", {"p/a"}, 0, {{"under", {"p/c"}}}, {}}),
