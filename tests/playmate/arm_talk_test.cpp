@@ -297,10 +297,9 @@ TEST_F(PlayMateIsAsked, ForWhatCannotBe) {
       {{"There is nothing.", "Put the red cube on the blue ball."},
        {"nothing stays on it", "Why can't you?"}});
   const std::string why =
-    "blue ball is round: nothing stays on it. I can put the red cube next to it, "
-    "or on the yellow cylinder.";
-  EXPECT_THAT(said(), testing::Contains("The " + why));
-  EXPECT_THAT(said(), testing::Contains("Because the " + why));
+    "blue ball is round: nothing stays on it. I can put the red cube next to it, or on the ";
+  EXPECT_THAT(said(), testing::Contains(testing::StartsWith("The " + why)));
+  EXPECT_THAT(said(), testing::Contains(testing::StartsWith("Because the " + why)));
 }
 
 TEST_F(PlayMateIsAsked, AndSaysWhyItCannot) {
