@@ -221,9 +221,7 @@ std::optional<std::string> TableGoalMaker::put_further(const Shifted& way, std::
     if (!room_.can_be_put(*x, {spot.x, spot.y}))
       return "I do not reach there with " + x->words + ".";
     for (const auto& other : table_)
-      // What stands on it is taken off before.
-      if (!other.is_held && other.on != x->object &&
-          std::ranges::find(things_, &other) == things_.end() &&
+      if (!other.is_held && std::ranges::find(things_, &other) == things_.end() &&
           std::hypot(other.x - spot.x, other.y - spot.y) < other.radius + x->radius)
         return sentence(other.words + " is in the way there") + " Take it away first.";
     facts_.push_back(at_waypoint(*x, spot.name));

@@ -439,7 +439,7 @@ TEST_F(TableMemoryTest, WhatIsCarriedWithStopsIsMovedOnce) {
   memory.see({seen_as(ball, "o1", {-0.1, -0.2}), box});
   memory.carries("p1");
   memory.moved("p1", name, "o1", {0.0, 0.2});
-  const auto& moved = memory.things({}).front();
+  const auto moved = memory.things({}).front();
   EXPECT_EQ(moved.waypoint, name);
   EXPECT_EQ(moved.waypoint_before_goal, first);
   EXPECT_EQ(moved.waypoint_before, first);
