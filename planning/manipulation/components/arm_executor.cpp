@@ -200,10 +200,11 @@ class ArmExecutor final : public ResumesManipulation {
       if (!goal)
         return ActionResult::failed(told_.reason);
       const bool holds = held_ && state()->holds;
-      auto plan = planned([&] {
-        return holds ? planner_->place(scene(), *goal, joints())
-                     : planner_->pick_and_place(scene(), thing.thing.name, *goal, joints());
-      });
+      auto plan = holds
+                    ? planned([&] { return planner_->place(scene(), *goal, joints()); })
+                    : planned_to_take(thing, [&](const Scene& scene) {
+                        return planner_->pick_and_place(scene, thing.thing.name, *goal, joints());
+                      });
       if (!plan && holds)
         return grasped_anew();
       if (!plan && most_between-- > 0)
@@ -214,6 +215,20 @@ class ArmExecutor final : public ResumesManipulation {
         return carried.end;
       return confirmed_at(thing, *plan->goal, *goal, x.to);
     });
+  }
+
+  /// As far as the thing may be larger than it is seen, it may be in the arm's way itself: then it
+  /// is taken to be as it is seen.
+  template <class F>
+  std::optional<ManipulationPlan> planned_to_take(const SeenThing& thing, F plan) {
+    auto found = planned([&] { return plan(scene()); });
+    if (found || told_.in_way != std::vector{thing.thing.name})
+      return found;
+    auto as_seen = scene();
+    for (auto& x : as_seen.things)
+      if (x.name == thing.thing.name)
+        x.higher = x.uncertainty = 0;
+    return planned([&] { return plan(as_seen); });
   }
 
   /// To be tried again from there.
@@ -253,7 +268,9 @@ class ArmExecutor final : public ResumesManipulation {
                                   ": it has to be put down before");
     return with_thing(x.what, [&](const SeenThing& thing) -> std::optional<ActionResult> {
       told_.task = "take " + thing.thing.name;
-      auto plan = planned([&] { return planner_->pick(scene(), thing.thing.name, joints()); });
+      auto plan = planned_to_take(thing, [&](const Scene& scene) {
+        return planner_->pick(scene, thing.thing.name, joints());
+      });
       if (!plan)
         return ActionResult::failed(told_.reason);
       if (const auto carried = carry_out_all(*plan); !carried.is_done)
