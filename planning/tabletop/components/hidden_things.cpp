@@ -89,10 +89,8 @@ class HiddenThings final : public binding::BindingMonitor {
       if (const auto& size = x.lengths; size.z > 0)
         thing.features.push_back(binding::extent_of(size.x, size.y, size.z));
       tell_all(id, std::move(thing));
-    } else if (x.is_held) {
-      // Vision has not looked since it was taken.
-      return;
     }
+    // Vision may not have looked since it was taken.
     if (x.is_held)
       return relate(id, binding::containment_label, gripper_id);
     const auto below = std::ranges::find(table.things, x.on, &RememberedThing::name);

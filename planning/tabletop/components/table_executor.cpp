@@ -105,20 +105,29 @@ class TableExecutor final : public FindsPlaces {
         return ActionResult::succeeded();
       }
       see();
-      const auto* thing = memory_.thing(x.at(1));
-      if (thing == nullptr)
-        return ActionResult::failed("it is not seen any more");
-      const EntryPointer<vision::SceneObject> what{Address{vision(), thing->seen.id}};
-      if (step.name == "move")
-        return move(action, *thing, what, x.at(2));
-      if (step.name == "take")
-        return take(action, thing->name, what);
-      if (step.name == "push")
-        return push(action, thing->name, what);
+      auto result = act_on_thing(action, step);
+      // People may ask at once what it holds.
+      if (result.outcome == ActionOutcome::cancelled)
+        see();
+      return result;
     } catch (const CallException& e) {
       warning("{}", e.what());
       return ActionResult::failed("nobody tells me now where there is a place for it");
     }
+  }
+
+  ActionResult act_on_thing(ActionInProgress& action, const PlannedAction& step) {
+    const auto& x = step.arguments;
+    const auto* thing = memory_.thing(x.at(1));
+    if (thing == nullptr)
+      return ActionResult::failed("it is not seen any more");
+    const EntryPointer<vision::SceneObject> what{Address{vision(), thing->seen.id}};
+    if (step.name == "move")
+      return move(action, *thing, what, x.at(2));
+    if (step.name == "take")
+      return take(action, thing->name, what);
+    if (step.name == "push")
+      return push(action, thing->name, what);
     warning("there is no step '{}' for an arm", step.name);
     return ActionResult::failed("I do not know how to do that");
   }
