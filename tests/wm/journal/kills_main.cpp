@@ -254,7 +254,10 @@ int kill_often(const std::string& program, int kills, std::uint64_t seed) {
     for (int i = 1; i <= kills; ++i) {
       progress.update(i, kills, fmt::format("{} of {}", i, kills));
       Process victim{{program, "--victim", folder.path().string()}};
-      // When it is killed is a matter of chance: before it is ready, too.
+      // When it is killed is a matter of chance: before it is ready, too, but not every time where
+      // processes start slowly.
+      if (i % 2 == 0)
+        victim.wait_for_output("done\n");
       std::this_thread::sleep_for(std::chrono::milliseconds{10 + random() % 60});
       victim.send_signal(SIGKILL);
       auto status = victim.wait();
