@@ -30,6 +30,9 @@ namespace {
 using namespace std::chrono_literals;
 using namespace manipulation;
 
+/// In place of what is said: when the gripper holds something.
+constexpr auto when_it_holds = "(the gripper holds something)";
+
 /// What the listener of a test waits for, and how the table was when it was said.
 struct Heard {
   std::string last;
@@ -60,6 +63,9 @@ class TableListener final : public UnmanagedComponent {
   }
 
   bool is_said(const std::string& words) {
+    if (words == when_it_holds)
+      return std::ranges::any_of(read_all_in<Manipulation>("manipulation"),
+                                 [](const auto& x) { return !x->holds.empty(); });
     return std::ranges::any_of(
       read_all_in<communication::SpokenOutputItem>("communication"),
       [&](const auto& x) { return x->text.find(words) != std::string::npos; });
@@ -230,6 +236,15 @@ TEST_F(PlayMateIsAsked, AboutThingsOfATowerAndToTakeItDown) {
        {"five things", "Put the cylinder back."}});
   EXPECT_LT(
     std::hypot(place("the yellow cylinder").x + 0.12, place("the yellow cylinder").y - 0.06), 0.04);
+}
+
+TEST_F(PlayMateIsAsked, WhatItHoldsWhileItIsStopped) {
+  say("Put the blue ball to the right of the red cube.", "right of the red cube now.", {},
+      {{when_it_holds, "Stop!"},
+       {"I have stopped.", "What are you holding?"},
+       {"It is a small blue ball.", "Where is the blue ball?"},
+       {"It is in the gripper.", "Go on."}});
+  EXPECT_EQ(heard().truth.collisions, 0) << heard().truth.collision;
 }
 
 TEST_F(PlayMateIsAsked, ToPutAThingOnOneThatItHasPutDown) {
