@@ -195,7 +195,6 @@ void QuestionContext::keep_landmark(CompleteMove& move) const {
         relation.dependent = name;
 }
 
-/// "The red one" is a red thing of the kind that was spoken of, in the same sentence or before.
 namespace {
 
 /// A place that may be a marker as well is one.
@@ -209,14 +208,14 @@ void take_as_marker(DialogueMove& move) {
   if (!has_root(move.content, "place") || marker == move.alternatives.end() ||
       is_correction(move.content))
     return;
-  auto content = *marker;
-  move.content = std::move(content);
+  move.content = *marker;
   move.type = dialogue_move_type(move.content);
   move.alternatives.clear();
 }
 
 } // namespace
 
+/// "The red one" is a red thing of the kind that was spoken of, in the same sentence or before.
 void QuestionContext::replace_one(LogicalForm& form) const {
   const auto* root = find_nominal(form, form.root);
   if (root == nullptr || root->sort == "thing")
